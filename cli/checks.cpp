@@ -20,6 +20,10 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
   return {objection, fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 
+std::string word_of(const std::vector<std::string>& words) {
+  return fmt::format("WORD:{{{}}}", fmt::join(words, ","));
+}
+
 CLI::Validator from_to(std::int64_t least, std::int64_t most) {
   const auto objection = [least, most](const std::string& text) {
     try {

@@ -16,6 +16,7 @@
 #include "studies/claims/claim.hpp"
 #include "studies/claims/found_text.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/shell.hpp"
 #include "studies/support/words.hpp"
 
 namespace mpmvv::cli {
@@ -114,7 +115,9 @@ void print_repeated(const Claim& c, const std::vector<records::StudyResult>& res
   for (const records::StudyResult& study : results) {
     const bool judges = std::ranges::find(c.studies, study.name) != c.studies.end();
     if (judges && study_call(study).study != study.name)
-      print_indented(fmt::format("{0}.toml is what `mpmvv db study {0} --db {1}` prints", study.name, db), below);
+      print_indented(
+          fmt::format("{0}.toml is what `mpmvv db study {0} --db {1}` prints", study.name, support::shell_word(db)),
+          below);
   }
   print_indented("runs that the store has are not run again; with a new store all are", below);
 }
@@ -175,10 +178,11 @@ int show(const ClaimsOptions& options) {
 void add_claims(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ClaimsOptions>();
   CLI::App* command = app.add_subcommand("claims", "Print every claim with its verdict, or the pages of some");
-  command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
-      ->type_name("ID");
+  CLI::Option* ids =
+      command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
+          ->type_name("ID");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
-  command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too");
+  command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too")->needs(ids);
   command->add_flag("--json", options->json, "print one JSON object");
   add_examples(*command, {"mpmvv claims --db results.db", "mpmvv claims S-fig4 --db results.db"});
   command->callback([options, &exit_code] { exit_code = show(*options); });

@@ -46,6 +46,7 @@ ArgumentText argument_text(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   if (option.get_items_expected_max() > 0) text.value = type.empty() ? "VALUE" : kind_of(type);
   text.meaning = option.get_description();
+  if (!option.get_default_str().empty()) text.meaning += " (default: " + option.get_default_str() + ")";
   text.words = words_of(option);
   text.required = option.get_required();
   text.repeatable = option.get_items_expected_max() > 1;

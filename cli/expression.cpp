@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "cli/case_options.hpp"
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/setting_words.hpp"
 #include "studies/codes/expressions.hpp"
 #include "studies/codes/start_state.hpp"
 #include "studies/support/error.hpp"
@@ -93,7 +95,13 @@ int expression(const ExpressionOptions& options) {
   return 0;
 }
 
-std::string dialect_names() {
+std::vector<std::string> dialect_words() {
+  std::vector<std::string> words;
+  for (const codes::Dialect& dialect : mms::expression::dialects()) words.emplace_back(dialect.name);
+  return words;
+}
+
+std::string dialect_texts() {
   std::string names;
   for (const codes::Dialect& dialect : mms::expression::dialects())
     names += fmt::format("{}{} ({})", names.empty() ? "" : "; ", dialect.name, dialect.what);
@@ -113,9 +121,9 @@ void add_expression(CLI::App& app, int& exit_code) {
           "of the body force: reference, b(X, t); inverse, b(x, t); current, b(t) where it is the same everywhere; "
           "per-particle, b(t) of each particle, as CSV, for which the whole case is needed; misplaced, b(X, t) with x "
           "for X, a planted mistake; none, 0")
-      ->type_name("WORD")
+      ->type_name(word_of(setting_words("force_form")))
       ->default_val("reference");
-  command->add_option("--dialect", options->dialect, dialect_names())->type_name("WORD")->required();
+  command->add_option("--dialect", options->dialect, dialect_texts())->type_name(word_of(dialect_words()))->required();
   command->add_flag("--json", options->json, "print one JSON object");
   add_examples(*command,
                {"mpmvv expression --problem square-rest --dialect c",

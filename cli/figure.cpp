@@ -7,10 +7,12 @@
 #include <set>
 #include <utility>
 
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/length.hpp"
+#include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "reports/figure_choice.hpp"
@@ -71,8 +73,10 @@ Sheet sheet_of(const FigureOptions& options) {
 void note_other_font(const Sheet& sheet) {
   const auto match =
       support::run_process({"fc-match", "--format=%{family}", sheet.font}, ".", {}, std::chrono::seconds(10));
-  static const std::set<std::string> generic{"Sans", "Serif", "Monospace"};
-  if (!match.good() || generic.contains(sheet.font) || match.output.find(sheet.font) != std::string::npos) return;
+  static const std::set<std::string> generic{"sans", "serif", "monospace"};
+  const std::string font = reports::lower_case(sheet.font);  // names of fonts have no case
+  const bool is_known = reports::lower_case(match.output).find(font) != std::string::npos;
+  if (!match.good() || generic.contains(font) || is_known) return;
   note("this machine has no font '{}' and draws in {} (`fc-list : family` names those that it has)\n", sheet.font,
        match.output);
 }
@@ -90,8 +94,8 @@ std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<C
   if (format_of_ending(options.out)) {
     std::vector<std::string> names;
     for (const Chart& chart : charts) names.push_back(chart.name);
-    throw support::UsageError(fmt::format("--out {} for {} figures, {} (a folder, or the name of one of them)",
-                                          options.out, charts.size(), fmt::join(names, ", ")));
+    throw support::UsageError(fmt::format("--out {} for {}, {} (a folder, or the name of one of them)", options.out,
+                                          count_text(charts.size(), "figure"), fmt::join(names, ", ")));
   }
   std::vector<fs::path> files;
   for (const Chart& chart : charts) files.push_back(fs::path(options.out) / (chart.name + ending_of(format)));
@@ -211,7 +215,7 @@ void add_figure(CLI::App& app, int& exit_code) {
                    "program)")
       ->type_name("VERSION");
   command->add_option("--format", options->format, "pdf, svg, tex (default: as --out ends, else pdf)")
-      ->type_name("WORD");
+      ->type_name(word_of({"pdf", "svg", "tex"}));
   command->add_option("--width", options->width, "of the whole figure, with its key (default: 84mm)")
       ->type_name("LENGTH");
   command->add_option("--height", options->height, "of the same (default: follows from the width)")

@@ -16,21 +16,24 @@ std::string fish_quoted(const std::string& text) {
   return out + "'";
 }
 
-/// The condition under which a command is the one that is being written: its words have been seen, none of its own
-/// commands has.
+/// The condition under which a command is the one that is being written: the line begins with its words and, where it
+/// has commands of its own, ends with them. A file may be called as a command is.
 std::string condition_of(const CommandText& command) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin < command.path.size()) {
-    const std::size_t end = std::min(command.path.find(' ', begin), command.path.size());
-    parts.push_back("__fish_seen_subcommand_from " + command.path.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  std::vector<std::string> inner;
-  for (const CommandText& one : command.commands) inner.push_back(one.name);
-  if (!inner.empty()) parts.push_back(fmt::format("not __fish_seen_subcommand_from {}", fmt::join(inner, " ")));
-  return fish_quoted(fmt::format("{}", fmt::join(parts, "; and ")));
+  const std::string words = command.path.empty() ? "" : " " + command.path;
+  return fish_quoted((command.commands.empty() ? "__mpmvv_begins" : "__mpmvv_is") + words);
 }
+
+constexpr const char* fish_conditions = R"(function __mpmvv_begins
+  set -l words (commandline -opc)
+  test (count $words) -gt (count $argv); or return 1
+  for k in (seq (count $argv))
+    test $words[(math $k + 1)] = $argv[$k]; or return 1
+  end
+end
+function __mpmvv_is
+  test (count (commandline -opc)) -eq (math (count $argv) + 1); and __mpmvv_begins $argv
+end
+)";
 
 /// What follows an option or stands without one.
 std::string fish_values(const ArgumentText& argument) {
@@ -64,8 +67,8 @@ std::string fish_lines(const CommandText& command) {
 }  // namespace
 
 std::string fish_completion(const CommandText& program) {
-  return "# Completion of mpmvv for fish, made by `mpmvv completion fish`.\ncomplete -c mpmvv -f\n" +
-         fish_lines(program);
+  return std::string("# Completion of mpmvv for fish, made by `mpmvv completion fish`.\n") + fish_conditions +
+         "complete -c mpmvv -f\n" + fish_lines(program);
 }
 
 }  // namespace mpmvv::cli

@@ -69,9 +69,10 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work&
     return print_json(json);
   }
   print_studies(all.studies);
-  print("about {} on {}, {} on one; of it {} alone on the machine, at the end\n", duration_text(all.seconds),
-        count_text(static_cast<std::size_t>(jobs), "job"), duration_text(all.core_seconds),
-        duration_text(all.timed_seconds));
+  print_indented(fmt::format("about {} on {}, {} on one; of it {} alone on the machine, at the end",
+                             duration_text(all.seconds), count_text(static_cast<std::size_t>(jobs), "job"),
+                             duration_text(all.core_seconds), duration_text(all.timed_seconds)),
+                 0);
   for (const std::string& caution : texts_of_cautions(plans)) note("{}\n", caution);
 }
 

@@ -66,10 +66,10 @@ void print_comparison(const goldens::Comparison& comparison, const Version& a, c
   table.print();
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
-  print_indented(fmt::format("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs "
+  print_indented(fmt::format("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} "
                              "shown as ratios",
                              comparison.changed(), comparison.changes.size(), goldens::relative_round_off,
-                             goldens::absolute_round_off, comparison.costs.size()),
+                             goldens::absolute_round_off, count_text(comparison.costs.size(), "cost")),
                  0);
 }
 

@@ -5,24 +5,23 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace mpmvv::cli {
 
 namespace {
 
-/// Escapes a text for roff: no line is taken for a command, no backslash for an escape, and a hyphen stays a hyphen.
+/// Escapes a text for roff: no line is taken for a command, no backslash for an escape, and every sign stays what it is
+/// in ASCII, as a shell needs it.
 std::string roff(const std::string& text) {
-  std::string out;
+  static const std::map<char, const char*> escapes{{'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'`', "\\(ga"},
+                                                   {'^', "\\(ha"}, {'~', "\\(ti"}, {'\n', "\n\\&"}};
+  std::string out = "\\&";
   for (const char c : text) {
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else
-      out += c;
-    if (c == '\n') out += "\\&";
+    const auto escape = escapes.find(c);
+    out += escape == escapes.end() ? std::string(1, c) : escape->second;
   }
-  return "\\&" + out;
+  return out;
 }
 
 std::string capitals(std::string text) {

@@ -42,7 +42,7 @@ class Keys {
     cells.resize(heads_.size());
     std::vector<std::string> others;
     for (std::size_t k = 1; k < cells.size(); ++k)
-      if (k != main_ && !cells[k].empty()) others.push_back(heads_[k] + " " + cells[k]);
+      if (k != main_ && !cells[k].empty()) others.push_back(cells[k] == needed ? needed : heads_[k] + " " + cells[k]);
     table_.add(
         {cells[0], others.empty() ? cells[main_] : fmt::format("{} ({})", cells[main_], fmt::join(others, "; "))});
   }
@@ -50,6 +50,8 @@ class Keys {
   void print() const { table_.print(); }
 
  private:
+  static constexpr const char* needed = "required";  ///< says enough without the head of its column
+
   std::vector<std::string> heads_;
   std::size_t main_;
   Table table_;

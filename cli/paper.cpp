@@ -9,7 +9,6 @@
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
-#include "reports/chart.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -29,8 +28,6 @@ int paper(const PaperOptions& options) {
   column.font_size = figure_font_size(options.font_size);
   const auto studies = own_results(options.db);
   require_own_results(studies, options.db);
-  for (const auto& study : studies)
-    if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
   const store::Store store(options.db, store::Store::Mode::read);
   const auto codes = store.code_series(store::current_provenance().digest);
   const auto summary =
@@ -39,6 +36,7 @@ int paper(const PaperOptions& options) {
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
         count_text(static_cast<std::size_t>(summary.tables), "table"));
   for (const auto& missing : summary.without) print("  {}\n", missing);
+  for (const auto& trial : summary.trials) note("{}\n", trial);
   for (const auto& remark : summary.remarks) note("{}\n", remark);
   return 0;
 }

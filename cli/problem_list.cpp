@@ -55,7 +55,8 @@ std::string boundary_text(const Problem& p) {
 }
 
 void print_values(const Problem& p) {
-  print("\n{}: {}\n", p.name, p.source);
+  print("\n");
+  print_indented(fmt::format("{}: {}", p.name, p.source), 0);
   print_indented(
       fmt::format("L = {}, wave speed {}, end time {}", p.length_formula, p.wave_speed_formula, p.end_time_formula));
   Table table({{"parameter"}, {"default", Kind::number}, {"unit"}, {"allowed", Kind::prose}}, 4);

@@ -48,6 +48,14 @@ void require_options_of_code(const RunOptions& options, const cases::Case& c) {
     throw UsageError(fmt::format("--vtu for code '{}' (what it writes itself is kept with --keep FOLDER)", code));
 }
 
+/// Ends the program with the exit code that shells give to one that was interrupted from the keyboard.
+[[noreturn]] void stop(const std::string& what, const std::string& folder) {
+  constexpr int interrupted = 130;
+  note("stopped: {} was ended before it had finished{}\n", what,
+       folder.empty() ? "" : fmt::format("; what it had written is in {}", folder));
+  std::_Exit(interrupted);
+}
+
 /// The record of a case that another code runs. An interrupt ends that code, too.
 records::Record run_by_other_code(const std::vector<settings::Setting>& given, const RunOptions& options) {
   std::vector<settings::Setting> settings = given;
@@ -60,12 +68,9 @@ records::Record run_by_other_code(const std::vector<settings::Setting>& given, c
   codes::require_able(code.adapter, c);
   codes::require_sound_templates(c, code);
   const Interruption interruption;
-  const std::stop_callback stop(interruption.token(), [&] {
-    constexpr int interrupted = 130;
+  const std::stop_callback on_stop(interruption.token(), [&] {
     const auto no_more_runs = codes::abandon_external_runs();
-    note("stopped: {} was ended before it had finished{}\n", c.scheme.code,
-         options.keep.empty() ? "" : fmt::format("; what it had written is in {}", options.keep));
-    std::_Exit(interrupted);
+    stop(c.scheme.code, options.keep);
   });
   if (c.measure.repeat > 0) {
     const codes::Codes& all = finder.codes();
@@ -101,8 +106,13 @@ records::Record run_by_own_solver(const std::vector<settings::Setting>& settings
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
   if (c.measure.repeat > 0 && !options.vtu.empty())
     throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
+  const Interruption interruption;
   ProgressLine line;
   const auto tell_steps = step_listener(line, c);
+  const std::stop_callback on_stop(interruption.token(), [&] {
+    line.clear();
+    stop("the run of " + c.problem.name, options.vtu);
+  });
   if (const auto part = settings::part_of(c); part && options.vtu.empty())
     if (const auto record = runs::run_part(c, *part, options.threads, tell_steps)) return *record;
   return runs::run_case(c, options.threads, {.vtu = options.vtu, .steps = tell_steps});

@@ -88,7 +88,8 @@ void print_outcome(const Record& r, VelocityError velocity) {
 }  // namespace
 
 void print_score(const Record& r, const std::string& files, int digits) {
-  print("{} as another code has solved it: {}, {} digits\n", r.the_case.problem.name, files, digits);
+  print("{} as another code has solved it: {}, {}\n", r.the_case.problem.name, files,
+        count_text(static_cast<std::size_t>(digits), "digit"));
   print_outcome(r, VelocityError::at_the_end);
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
@@ -144,10 +145,10 @@ int score(const ScoreOptions& options) {
   return is_failed ? 1 : 0;
 }
 
-std::string format_words() {
+std::vector<std::string> format_words() {
   std::vector<std::string> words;
   for (const codes::Format& format : codes::formats()) words.push_back(format.word);
-  return fmt::format("{}", fmt::join(words, ", "));
+  return words;
 }
 
 }  // namespace
@@ -161,8 +162,10 @@ void add_score(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command->add_option("--start", options->start, "the particles at time zero, where the end has no ids of the case")
       ->type_name("FILE");
-  command->add_option("--format", options->format, fmt::format("of the files: {} (default: by name)", format_words()))
-      ->type_name("WORD");
+  command
+      ->add_option("--format", options->format,
+                   fmt::format("of the files: {} (default: by name)", fmt::join(format_words(), ", ")))
+      ->type_name(word_of(format_words()));
   command->add_option("--columns", options->columns, "which columns hold what, by name or number")
       ->type_name("id=NAME,x=NAME,...");
   command->add_option("--step", options->step, "which one, of a dump with several (default: the last)")

@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "studies/codes/solution_points.hpp"
 #include "studies/problems/fields.hpp"
 #include "studies/problems/problem.hpp"
@@ -42,7 +43,8 @@ std::vector<double> coordinates(const std::string& text, int dimension, const st
   std::vector<double> X;
   for (const std::string& part : parts_of(text)) X.push_back(settings::parse_number({"coordinate", part, option}));
   if (static_cast<int>(X.size()) != dimension)
-    throw UsageError(fmt::format("{} {} has {} coordinates (the problem has {})", option, text, X.size(), dimension));
+    throw UsageError(
+        fmt::format("{} {} has {} (the problem has {})", option, text, count_text(X.size(), "coordinate"), dimension));
   return X;
 }
 

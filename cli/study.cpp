@@ -185,9 +185,12 @@ void add_study(CLI::App& app, int& exit_code) {
       command->add_flag("--no-retry", options->no_retry,
                         "take failed runs as the store has them (default: those of another code, and those that the "
                         "machine failed, are tried again)");
-  command->add_flag("--verbose", options->verbose, "print on what grounds fits and criteria say what they do, too");
+  CLI::Option* verbose =
+      command->add_flag("--verbose", options->verbose, "print on what grounds fits and criteria say what they do, too")
+          ->excludes(shard);
   CLI::Option* plan = command->add_flag("--plan", options->plan, "run nothing: print what would run, how long, and why")
-                          ->excludes(no_retry);
+                          ->excludes(no_retry)
+                          ->excludes(verbose);
   command->add_flag("--json", options->json, "print the plan as one JSON object")->needs(plan);
   add_examples(*command,
                {"mpmvv study splines.toml --db results.db", "mpmvv study s-fig4 s-jump --db results.db",

@@ -50,10 +50,13 @@ void require_plain(const fs::path& folder) {
         "--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", folder.string()));
 }
 
-/// Throws where the store of all results is one of the stores that a submission writes in its folder.
+/// Throws where the store of all results is the folder of a submission, or one of the stores that it writes there.
 void require_store_apart(const Submission& submission) {
   static const std::regex written(R"((costs|shard-\d+)\.db)");
   const fs::path db = fs::weakly_canonical(submission.db);
+  if (db == fs::weakly_canonical(submission.folder))
+    throw support::UsageError(fmt::format("--db {} is the folder of the submission, too (another name, or --folder)",
+                                          submission.db.string()));
   if (std::regex_match(db.filename().string(), written) &&
       db == fs::weakly_canonical(submission.folder / db.filename()))
     throw support::UsageError(

@@ -26,13 +26,16 @@ std::string function_of(const CommandText& command) {
   return name;
 }
 
-/// "value:(a b)", what `_arguments` is told of an argument's values.
+/// "value:(a b)", what `_arguments` is told of an argument's values. A positional one may take words and files.
 std::string zsh_values(const ArgumentText& argument) {
   const std::string label = escaped(argument.flags.empty() ? argument.name : argument.value);
+  const std::string words = fmt::format("{}", fmt::join(argument.words, " "));
   std::string action;
-  if (!argument.words.empty()) action = fmt::format("({})", fmt::join(argument.words, " "));
+  if (!words.empty()) action = fmt::format("({})", words);
   if (argument.takes_folders()) action = "_files -/";
-  if (argument.takes_files() && argument.words.empty()) action = "_files";
+  if (argument.takes_files() && words.empty()) action = "_files";
+  if (argument.takes_files() && !words.empty() && argument.flags.empty())
+    action = fmt::format("{{ compadd -- {}; _files }}", words);
   return fmt::format("{}:{}", label, action);
 }
 

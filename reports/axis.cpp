@@ -49,18 +49,22 @@ Ends ends_of(const AxisWish& wish, std::span<const double> values) {
   return low > high ? Ends{0, 1} : widened(clamped({low, high}, wish.log), wish.log);
 }
 
+constexpr int usual_digits = 4;  ///< of a tic's text
+
 /// "10^-3", "2·10^-3"
-std::string power_text(double v) {
-  const std::string digits = fmt::format("{:.3e}", v);
-  const auto e = digits.find('e');
-  const std::string mantissa = fmt::format("{:g}", std::stod(digits.substr(0, e)));
-  const std::string power = fmt::format("10^{}", std::stoi(digits.substr(e + 1)));
+std::string power_text(double v, int digits = usual_digits) {
+  const std::string text = fmt::format("{:.{}e}", v, digits - 1);
+  const auto e = text.find('e');
+  const std::string mantissa = fmt::format("{:.{}g}", std::stod(text.substr(0, e)), digits);
+  const std::string power = fmt::format("10^{}", std::stoi(text.substr(e + 1)));
   return mantissa == "1" ? power : mantissa + "·" + power;
 }
 
-std::string tic_text(double v) {
+/// The number, a whole one below 1e5 with all of its digits.
+std::string tic_text(double v, int digits = usual_digits) {
   const double size = std::abs(v);
-  return v == 0 ? "0" : size >= 0.001 && size < 1e5 ? fmt::format("{:.4g}", v) : power_text(v);
+  if (size >= 1e5 || (size < 0.001 && v != 0)) return power_text(v, digits);
+  return v == std::trunc(v) ? fmt::format("{:.0f}", v + 0.0) : fmt::format("{:.{}g}", v, digits);
 }
 
 /// Decades; on a short axis their halves or all their multiples too. False, and none, when fewer than two get a text.
@@ -85,13 +89,22 @@ bool decade_tics(Axis& axis) {
   return texts >= 2;
 }
 
+/// How many digits a number of the axis takes whose last one tells a step from the next.
+int digits_of_steps(const Axis& axis, double step) {
+  constexpr int most = 15;
+  const double largest = std::max(std::abs(axis.from), std::abs(axis.to));
+  const double digits = std::floor(std::log10(largest)) - std::floor(std::log10(step)) + 1;
+  return static_cast<int>(std::min<double>(digits, most));
+}
+
 void even_tics(Axis& axis) {
   const double rough = (axis.to - axis.from) / 6;
   const double unit = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = unit * (rough < 1.5 * unit ? 1 : rough < 3 * unit ? 2 : rough < 7 * unit ? 5 : 10);
   const double first = std::ceil(axis.from / step);
+  const int digits = std::max(usual_digits, digits_of_steps(axis, step));
   for (int k = 0; k <= few_tics && (first + k) * step <= axis.to; ++k)
-    axis.tics.push_back({(first + k) * step, tic_text((first + k) * step)});
+    axis.tics.push_back({(first + k) * step, tic_text((first + k) * step, digits)});
 }
 
 /// Ends that the plotting program takes and that tics fit between; those that are so already stay as they are.

@@ -39,8 +39,8 @@ std::string alarm_evidence(const MutationResults& mutation, const std::vector<Al
   const auto unchanged = !mutation.unchanged_passes   ? ""
                          : *mutation.unchanged_passes ? "; the campaign's tree passes"
                                                       : "; the campaign's tree does not pass";
-  return fmt::format("{} in {} runs of {} builds, other orders and places of the particles{}", sum.alarms, sum.runs,
-                     builds.size(), unchanged);
+  return fmt::format("{} in {} runs of {} build{}, other orders and places of the particles{}", sum.alarms, sum.runs,
+                     builds.size(), builds.size() == 1 ? "" : "s", unchanged);
 }
 
 }  // namespace

@@ -38,11 +38,10 @@ struct PlantedScore {
   std::vector<std::string> missed = {};                    ///< names
 };
 
-/// The same for the random mutations that compile.
+/// How many of the random mutations that compile the gate has caught.
 struct RandomScore {
-  int tried = 0, unit_tests = 0, quick = 0, nightly = 0, caught = 0;
-  int explained = 0;                          ///< survivors with a reason
-  std::vector<std::string> unexplained = {};  ///< names
+  int tried = 0, caught = 0;
+  int explained = 0;  ///< survivors with a reason
 };
 
 /// What a mutation campaign (tests/mutation) has found: all of it, or the summary that it has published.

@@ -195,6 +195,9 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const Provenan
       ++summary.tables;
     }
   }
+  for (const StudyResult& study : studies)
+    if (const std::string trial = trial_sentence(study); !trial.empty() && document.shows(study.name))
+      summary.trials.push_back(fmt::format("{}: {}", study.name, trial));
   const auto absent = words_on_absent(document.absent());
   summary.without.insert(summary.without.end(), absent.begin(), absent.end());
   support::write_if_changed(out_dir / "main.tex",

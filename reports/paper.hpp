@@ -15,6 +15,7 @@ struct PaperSummary {
   int figures = 0, figures_drawn = 0;
   int tables = 0;                    ///< files of tables
   std::vector<std::string> without;  ///< figures of the papers that were not drawn, and why
+  std::vector<std::string> trials;   ///< among the studies that it shows, "STUDY: what was set"
   std::vector<std::string> remarks;  ///< what will not look as it was meant, "FIGURE: why"
 };
 

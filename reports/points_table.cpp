@@ -115,7 +115,7 @@ class PointsTable {
   }
 
   Table make() const {
-    Table table{"Results at each point", {study_.sweep}, {}};
+    Table table{points_caption, {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
       table.columns.push_back(head_of(column.quantity, study_.sweep, dimension_));

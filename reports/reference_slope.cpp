@@ -138,6 +138,13 @@ std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double 
   return best;
 }
 
+/// "h^2" of a sweep over cells, "ppc^-2" of another one by which errors fall, else "slope 2".
+std::string name_of(double p, const std::string& sweep, bool falling) {
+  if (!falling) return fmt::format("slope {:g}", p);
+  if (sweep != "cells") return fmt::format("{}^{:g}", sweep, -p);
+  return p == 1 ? "h" : fmt::format("h^{:g}", p);
+}
+
 }  // namespace
 
 void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
@@ -146,8 +153,7 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
   if (slope == 0) return;
-  const std::string power = p == 1 ? "" : fmt::format("^{:g}", p);
-  const std::string name = falling ? "h" + power : fmt::format("slope {:g}", p);
+  const std::string name = name_of(p, sweep, falling);
   const auto mark = best_mark(Clearance(chart), slope, chart.letter, width_of(name, chart.letter));
   if (!mark) return;
 

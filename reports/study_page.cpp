@@ -90,12 +90,14 @@ std::vector<GateLine> goldens_of(const ReportInput& input, const StudyResult& st
   return lines;
 }
 
-/// The tables of what was fitted, or the one of all points.
-data table_part(const ReportInput& input, const StudyResult& study, bool is_fitted) {
+std::vector<Table> tables_of_page(const ReportInput& input, const StudyResult& study) {
   const auto dimension = input.dimensions.find(study.name);
-  std::vector<Table> tables = tables_of(study, dimension == input.dimensions.end() ? 0 : dimension->second);
-  const std::string points = points_table(study).caption;
-  std::erase_if(tables, [&](const Table& table) { return (table.caption != points) != is_fitted; });
+  return tables_of(study, dimension == input.dimensions.end() ? 0 : dimension->second);
+}
+
+/// The tables of what was fitted, or the one of all points.
+data table_part(std::vector<Table> tables, bool is_fitted) {
+  std::erase_if(tables, [&](const Table& table) { return (table.caption != points_caption) != is_fitted; });
   return object({{"tables", list_of(tables, table_data)}});
 }
 
@@ -105,6 +107,7 @@ Page study_page(const ReportInput& input, const Section& section) {
   const StudyResult& study = *section.study;
   const auto goldens = goldens_of(input, study);
   const data commands = command_list(input, study);
+  const std::vector<Table> tables = tables_of_page(input, study);
   return framed_page("studies/" + study.name + ".html", study.name + ": " + study.title, study_template, input,
                      object({{"study", study.name},
                              {"title", study.title},
@@ -115,8 +118,8 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"parts", criteria_list(input, study)},
                              {"has_parts", !study.parts.empty()},
                              {"pictures", list_of(section.pictures, picture_data)},
-                             {"fitted", table_part(input, study, true)},
-                             {"measured", table_part(input, study, false)},
+                             {"fitted", table_part(tables, true)},
+                             {"measured", table_part(tables, false)},
                              {"table_files", text_list(section.tables)},
                              {"goldens", gate_counts(goldens)},
                              {"has_goldens", !goldens.empty()},

@@ -48,10 +48,18 @@ Table with_rows(Table table, Table::Rows rows) {
   return table;
 }
 
-constexpr const char* how_to_read_orders =
-    "The fit is C s^order over the window, s being the cell width h or, where that is not swept, the swept value. "
-    "Asymptotic: the orders of neighbouring points agree there; stays or grows: they do, and the error does not fall; "
-    "the range found is where they agree. Floor: an error E0 that stays as s falls, where a fit with one is accepted.";
+/// What takes the place of the cell width in a sweep over something else.
+std::string step_name(const std::string& sweep) {
+  return sweep == "cfl" ? "the Courant number" : sweep == "ppc" ? "1/ppc" : sweep;
+}
+
+std::string how_to_read_orders(const std::string& sweep) {
+  return fmt::format(
+      "The fit is C s^order over the window, s being {}. Asymptotic: the orders of neighbouring points agree there; "
+      "stays or grows: they do, and the error does not fall; the range found is where they agree. Floor: an error E0 "
+      "that stays as s falls, where a fit with one is accepted.",
+      sweep == "cells" ? "the cell width h" : step_name(sweep));
+}
 
 /// The points that fitted orders do not take, and why; empty where they take all.
 std::string left_out_of_orders(const StudyResult& study) {
@@ -69,7 +77,7 @@ Table fits_table(const StudyResult& study) {
   const Table table{"Fitted orders",
                     {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
                     {},
-                    how_to_read_orders + left_out_of_orders(study)};
+                    how_to_read_orders(study.sweep) + left_out_of_orders(study)};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& o : series.orders) {
@@ -100,15 +108,6 @@ Table replicates_table(const StudyResult& study) {
     return rows;
   });
 }
-
-namespace {
-
-/// What takes the place of the cell width in a sweep over something else.
-std::string step_name(const std::string& sweep) {
-  return sweep == "cfl" ? "the Courant number" : sweep == "ppc" ? "1/ppc" : sweep;
-}
-
-}  // namespace
 
 Table extrapolations_table(const StudyResult& study) {
   const bool over_grids = study.sweep == "cells";

@@ -32,6 +32,8 @@ Table values_table(const records::StudyResult& study);
 Table cheapest_table(
     const records::StudyResult& study);  ///< of each power of ten of the error, where cost was measured
 
+inline constexpr const char* points_caption = "Results at each point";
+
 /// All tables of a study that have rows.
 std::vector<Table> tables_of(const records::StudyResult& study, int dimension = 0);
 

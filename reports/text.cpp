@@ -18,7 +18,10 @@ std::string exact(double v) {
 }
 
 std::string brief(double v) {
-  return std::isnan(v) ? "–" : fmt::format("{:.4g}", v);
+  if (std::isnan(v)) return "–";
+  constexpr double least_rounded = 1e6;
+  const bool is_short_whole = v == std::trunc(v) && std::abs(v) < least_rounded;
+  return is_short_whole ? fmt::format("{:.0f}", v) : fmt::format("{:.4g}", v);
 }
 
 std::string growth_text(std::int64_t steps) {

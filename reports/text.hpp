@@ -10,7 +10,8 @@ namespace mpmvv::reports {
 /// A number for machines: 17 significant digits, nothing for NaN.
 std::string exact(double v);
 
-/// A number for people: four significant digits, a dash for NaN.
+/// A number for people: four significant digits, a whole one below a million with all of its digits, as of 16384 cells;
+/// a dash for NaN.
 std::string brief(double v);
 
 /// For people: three significant digits, all of those before the point, a dash for NaN.

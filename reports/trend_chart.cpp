@@ -111,10 +111,13 @@ void place_marks(Chart& chart) {
   if (std::ranges::none_of(std::array{Mark::outside, Mark::unstable, Mark::absent}, occurs)) thin_marks(chart);
 }
 
-/// Whether the trend has two numbers or more, or one and an unstable run: one number alone has no course.
+/// Whether the trend has two numbers or more, or one and a version whose run is unstable: one number alone has no
+/// course, also where a run of it is unstable.
 bool has_course(const Trend& trend) {
-  const auto numbers = std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); });
-  return numbers >= 2 || (numbers == 1 && std::ranges::any_of(trend.remarks, is_unstable));
+  const Curve curve = trend_curve(trend, 0);
+  const auto count = [&](Mark mark) { return std::ranges::count(curve.dots, mark, &Dot::mark); };
+  const auto numbers = count(Mark::inside) + count(Mark::outside);
+  return numbers >= 2 || (numbers == 1 && count(Mark::unstable) > 0);
 }
 
 /// What a name says around the series between their first and last quote: "error of '" and "' in l2".

@@ -20,10 +20,10 @@ test("links lead to files and places that are there", () => {
   assert.deepEqual(dead, []);
 });
 
-test("the first page is below 300 kB, all pages with their scripts are below 3 MB", () => {
+test("the first page is below 300 kB, all pages with their scripts are below 4 MB", () => {
   const size = file => statSync(join(report, file)).size;
   const all = files().filter(file => /\.(html|css|js)$/.test(file)).reduce((sum, file) => sum + size(file), 0);
   console.log(`index.html ${size("index.html")} bytes, all ${pages().length} pages ${all} bytes`);
   assert.ok(size("index.html") < 300e3);
-  assert.ok(all < 3e6);
+  assert.ok(all < 4e6);
 });

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "cli/lines.hpp"
@@ -63,9 +65,19 @@ TEST_F(Claims, HaveAPageEach) {
                               HasSubstr("small.toml is what `mpmvv db study small --db " + db_ + "` prints\n"),
                               Not(HasSubstr("l2 of"))));
   EXPECT_THAT(claims("linear --verbose").out, HasSubstr("    l2 of 'linear' at cells = 32 = 0.000631\n"));
+  EXPECT_EQ(claims("--verbose").code, 2) << "it is of pages alone";
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST_F(Claims, AreRepeatedFromAStoreOfAnyName) {
+  const std::string other = folder_ / "my results.db";
+  std::filesystem::copy_file(db_, other);
+  const std::string page = call(folder_, "claims linear --db '" + other + "'").out;
+  const std::string in_one_line = std::regex_replace(page, std::regex("\n +"), " ");
+  EXPECT_THAT(in_one_line, AllOf(HasSubstr("repeat: mpmvv study small.toml --db '" + other + "'"),
+                                 HasSubstr("`mpmvv db study small --db '" + other + "'` prints")));
 }
 
 TEST_F(Claims, AreRepeatedWithTheTrialsValuesAsTheyAre) {

@@ -87,7 +87,8 @@ TEST_F(Figure, AFontThatTheMachineLacksIsNamed) {
   const Answer answer = draw("small --font 'No Such Family'");
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.err, StartsWith("this machine has no font 'No Such Family' and draws in "));
-  EXPECT_THAT(draw("small --font Serif").err, Not(HasSubstr("font")));
+  for (const char* known : {"Serif", "serif", "SANS"})
+    EXPECT_THAT(draw("small --font " + std::string(known)).err, Not(HasSubstr("font"))) << known;
 }
 
 TEST_F(Figure, ForLatexItSaysHowItIsTakenIn) {
@@ -167,6 +168,9 @@ TEST_F(Figure, WhatItDoesNotShowIsSaid) {
   EXPECT_EQ(paper.err, "cut: Made with --set: ppc = 2 in 2 of 2 series.\n");
   EXPECT_THAT(read_text(folder_ / "paper/main.tex"),
               HasSubstr("A small figure. Made with -{}-set: ppc = 2 in 2 of 2 series. Without a point: linear at "));
+  folder_.write("whole.toml", small_study);
+  ASSERT_EQ(call(folder_, "study whole.toml --db t.db", there_).code, 0);
+  EXPECT_EQ(call(folder_, "paper whole --db t.db --out whole", there_).err, "") << "it shows no trial";
 }
 
 TEST_F(Figure, ItsMarksAreExplainedAndTextsThatCannotBeSetNamed) {

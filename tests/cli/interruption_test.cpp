@@ -61,6 +61,30 @@ TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
   EXPECT_EQ(call(folder_, "db check --db " + db_).code, 0);
 }
 
+/// As a study does: by the exit code of an interrupt, where the signal itself would give another one.
+TEST(Interruption, ARunSaysThatItIsNoWholeOne) {
+  const Folder folder;
+  const std::string states = folder / "states", messages = folder / "messages";
+  const pid_t child = fork();
+  if (child == 0) {
+    freopen((folder / "out").c_str(), "w", stdout);
+    freopen(messages.c_str(), "w", stderr);
+    execl(program().c_str(), "mpmvv", "run", "--problem", "bar", "--cells", "4096", "--ppc", "4", "--cfl", "0.01",
+          "--vtu", states.c_str(), nullptr);
+    _exit(127);
+  }
+  const auto has_begun = [&] { return std::filesystem::exists(states) && !std::filesystem::is_empty(states); };
+  for (int k = 0; k < 3000 && !has_begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGTERM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(read_text(messages),
+            "stopped: the run of bar was ended before it had finished; what it had written is in " + states + "\n");
+  EXPECT_EQ(read_text(folder / "out"), "");
+}
+
 using Signals = std::vector<int>;
 
 /// SIGUSR1 alone, which a cluster may send, changes nothing.

@@ -11,6 +11,7 @@
 /// The man page and the completions of shells, which the program makes of its own command line.
 namespace mpmvv::cli::manual_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -141,7 +142,24 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_EQ(offered("gate --only s-fig11"), "s-fig11\n");
   EXPECT_EQ(offered("list studi"), "studies\n");
   EXPECT_THAT(offered("score --start mi"), HasSubstr("mine.db")) << "a file, not a word of the setting `start`";
-  EXPECT_THAT(said("completion zsh"), HasSubstr("'*:output:_files'"));
+  EXPECT_EQ(offered("figure --format p"), "pdf\n");
+  EXPECT_EQ(offered("expression --form c"), "current\n");
+  EXPECT_EQ(offered("expression --dialect f"), "fortran\n");
+  EXPECT_THAT(offered("score --format \"\""), HasSubstr("csv"));
+}
+
+TEST_F(Manual, CompletesWordsAndFilesInZsh) {
+  const std::string zsh = said("completion zsh");
+  EXPECT_THAT(zsh, HasSubstr("'*:output:_files'"));
+  EXPECT_THAT(zsh, testing::ContainsRegex("'\\*:files:\\{ compadd -- b-fig16 [^}]*; _files }'"))
+      << "a study that comes with the program, or a file of one's own";
+}
+
+TEST_F(Manual, HasDefaultsAndTheSignsOfAShell) {
+  const std::string man = said("man");
+  EXPECT_THAT(man, HasSubstr("(default: reference)"));
+  EXPECT_THAT(man, HasSubstr("case that \\(gampmvv case\\(ga wrote")) << "roff makes a quotation mark of a bare one";
+  EXPECT_THAT(man, HasSubstr("the problem\\(aqs"));
 }
 
 /// Shells and `man` that a system need not have.
@@ -167,17 +185,21 @@ TEST_F(ManualNightly, CompletesInFish) {
   EXPECT_THAT(fish("db in"), HasSubstr("info\t"));
   EXPECT_THAT(fish("run --velocity-update fl"), HasSubstr("flip"));
   EXPECT_THAT(fish("study mpmvv"), HasSubstr("mpmvv.fish"));
+  EXPECT_THAT(fish("study --sh"), HasSubstr("--shard"));
+  EXPECT_THAT(fish("db study --"), AllOf(HasSubstr("--db"), Not(HasSubstr("--shard")))) << "another command";
+  EXPECT_THAT(fish("study case --"), AllOf(HasSubstr("--shard"), Not(HasSubstr("--problem")))) << "a file of that name";
 }
 
 /// On a terminal of its own, as its completion works nowhere else: the only word is written out.
 TEST_F(ManualNightly, CompletesInZsh) {
   folder_.write("_mpmvv", said("completion zsh"));
+  folder_.write("mine.toml", "");
   folder_.write("drive.zsh", R"(zmodload zsh/zpty
 zpty -b shell zsh -f -i
 heard() { local part all=; sleep $1; while zpty -r -t shell part 2> /dev/null; do all+=$part; done; print -r -- $all }
 zpty -w shell 'fpath=($PWD $fpath); autoload -U compinit; compinit -u -D'
 heard 2 > /dev/null
-for line in 'mpmvv rep' 'mpmvv db in' 'mpmvv run --velocity-update fl' 'mpmvv run --velocity-up'; do
+for line in 'mpmvv rep' 'mpmvv study mi' 'mpmvv db in' 'mpmvv run --velocity-update fl' 'mpmvv run --velocity-up'; do
   zpty -w -n shell $line$'\t'
   heard 1
   zpty -w -n shell $'\x15'
@@ -187,7 +209,8 @@ zpty -d shell
 )");
   const Answer zsh = shell("cd '" + (folder_ / "") + "' && zsh -n _mpmvv && timeout 60 zsh -f drive.zsh 2>&1");
   EXPECT_EQ(zsh.code, 0) << zsh.out;
-  for (const char* completed : {"mpmvv report", "mpmvv db info", "--velocity-update flip", "--velocity-update "})
+  for (const char* completed :
+       {"mpmvv report", "mpmvv study mine.toml", "mpmvv db info", "--velocity-update flip", "--velocity-update "})
     EXPECT_THAT(zsh.out, HasSubstr(completed));
 }
 

@@ -42,6 +42,12 @@ TEST(Markdown, OfATableHasKeysMeaningsAndInBracketsTheRest) {
             "key  meaning\na    time (unit s)\nb    number\n");
 }
 
+TEST(Markdown, OfATableSaysThatAKeyIsRequiredInThatWord) {
+  EXPECT_EQ(on_a_terminal("| key | takes | without it | meaning |\n|---|---|---|---|\n"
+                          "| `a` | text | **required** | name |\n| `b` | text | none | source |\n"),
+            "key  meaning\na    name (takes text; required)\nb    source (takes text; without it none)\n");
+}
+
 TEST(Markdown, OfARowThatIsNotClosedOrTooShortShowsWhatIsThere) {
   EXPECT_EQ(on_a_terminal("| key | meaning |\n|---|---|\n| a | time\n| b |\n| c\n"), "key  meaning\na    time\nb\nc\n");
 }

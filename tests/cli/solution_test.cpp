@@ -69,6 +69,7 @@ TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
         {"--at 0,0 --fields u", "--fields requires --points"},
         {"--points " + points + " --fields u --normal 1,0", "--normal without traction in --fields"},
         {"--at 0,0", "--time is required"},
+        {"--at 0 --time 0", "--at 0 has 1 coordinate (the problem has 2)"},
         {"--time 0", "--at or --points is required"},
         {"--at 0,0 --time 0 --normal 0,0", "--normal has no direction"}}) {
     const Answer answer = call(folder, "solution --problem square " + arguments);

@@ -66,6 +66,17 @@ TEST(StudyCommand, ACheckHasNoSettings) {
   }
 }
 
+TEST(StudyCommand, HasNoGroundsToPrintWhereItMakesNoStudy) {
+  const Folder folder;
+  const std::string study = "study " + folder.write("small.toml", small_study) + " --db " + (folder / "r.db");
+  for (const std::string option : {"--plan", "--shard 1/2"}) {
+    const Answer answer = call(folder, study + " --verbose " + option);
+    EXPECT_EQ(answer.code, 2) << option;
+    EXPECT_THAT(answer.err, HasSubstr("excludes"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.db"));
+  }
+}
+
 TEST(StudyCommand, RefusesStoresThatAreNone) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study);

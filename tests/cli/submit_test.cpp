@@ -157,6 +157,14 @@ TEST_F(Submit, LeavesTheStoreOfAllResultsAlone) {
             0);
 }
 
+TEST_F(Submit, LeavesThePlaceOfTheStoreFree) {
+  const Answer answer =
+      call(folder_, "submit --engine slurm splines.toml --shards 2 --db all.shards --dry-run", in_folder_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("all.shards is the folder of the submission, too (another name, or --folder)"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all.shards"));
+}
+
 TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_THAT(submit("--shards 0 --dry-run").err, HasSubstr("--shards"));
   EXPECT_THAT(submit("--shards 2 --folder 'a%b' --dry-run").err, HasSubstr("per cent signs"));

@@ -50,6 +50,25 @@ TEST(Axis, LinearTicsAreRound) {
             (std::vector<std::string>{"-1", "-0.5", "0", "0.5", "1"}));
 }
 
+TEST(Axis, WritesManyCellsOut) {
+  const std::vector<double> cells{8192, 16384, 32768};
+  EXPECT_EQ(texts(make_axis({"N", true, {}, {}, 0.1, 0.1, true}, cells)),
+            (std::vector<std::string>{"8192", "16384", "32768"}));
+}
+
+/// As of an order that changes in its sixth digit from version to version.
+TEST(Axis, TicsThatLieCloseAreToldApart) {
+  const std::vector<double> near_two{2.0000115, 2.0000245}, near_a_fifth{0.20002, 0.20024}, large{123456.3, 123457.6};
+  EXPECT_EQ(
+      texts(make_axis({"order", false, {}, {}, 0, 0}, near_two)),
+      (std::vector<std::string>{"2.000012", "2.000014", "2.000016", "2.000018", "2.00002", "2.000022", "2.000024"}));
+  EXPECT_EQ(texts(make_axis({"error", false, {}, {}, 0, 0}, near_a_fifth)),
+            (std::vector<std::string>{"0.20005", "0.2001", "0.20015", "0.2002"}));
+  EXPECT_EQ(texts(make_axis({"energy", false, {}, {}, 0, 0}, large)),
+            (std::vector<std::string>{"1.234564·10^5", "1.234566·10^5", "1.234568·10^5", "1.23457·10^5",
+                                      "1.234572·10^5", "1.234574·10^5", "1.234576·10^5"}));
+}
+
 TEST(Axis, OneValueAndNoValueGiveAnInterval) {
   const std::vector<double> one{0.25};
   const Axis axis = make_axis({"x", false, {}, {}, 0, 0, false}, one);

@@ -196,6 +196,13 @@ TEST(ErrorChart, ReferenceSlopeRisesWithStepSize) {
   EXPECT_EQ(error_chart(study, study.figures[0]).labels[0].text, "slope 1") << "h may be another length here";
 }
 
+TEST(ErrorChart, ReferenceSlopeOverParticlesPerCellIsNamedAfterThem) {
+  auto study = synthetic::convergence();
+  study.sweep = "ppc";
+  study.figures[0].slopes = {2};
+  EXPECT_EQ(error_chart(study, study.figures[0]).labels[0].text, "ppc^-2") << "h stays as it is";
+}
+
 TEST(ErrorChart, ReferenceSlopeKeepsClearOfThePoints) {
   const auto chart = plain_chart({2});
   const auto line = rules(chart, Rule::Kind::reference)[0].path;

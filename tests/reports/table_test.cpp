@@ -217,8 +217,13 @@ TEST(Table, EnergyLossIsAShare) {
 }
 
 TEST(Table, FitsSayThatTheyAreInTheSweptValue) {
-  EXPECT_THAT(fits_table(synthetic::convergence()).note,
-              HasSubstr("C s^order over the window, s being the cell width h or, where that is not swept, the swept"));
+  auto study = synthetic::convergence();
+  const std::string fit = "The fit is C s^order over the window, s being ";
+  EXPECT_THAT(fits_table(study).note, HasSubstr(fit + "the cell width h. "));
+  for (const auto& [sweep, step] : {std::pair("dt", "dt"), {"cfl", "the Courant number"}, {"ppc", "1/ppc"}}) {
+    study.sweep = sweep;
+    EXPECT_THAT(fits_table(study).note, HasSubstr(fit + step + ". "));
+  }
 }
 
 TEST(Table, AFitWithoutPointsHasDashesAndNoNan) {

@@ -14,6 +14,16 @@ TEST(Text, ExactNumbersReadBackAsThemselves) {
   EXPECT_EQ(exact(NAN), "");
 }
 
+TEST(Text, BriefNumbersHaveFourDigitsAndCountsAllOfTheirs) {
+  EXPECT_EQ(brief(0.123456), "0.1235");
+  EXPECT_EQ(brief(12345.6), "1.235e+04");
+  EXPECT_EQ(brief(16384), "16384") << "a number of cells";
+  EXPECT_EQ(brief(-32768), "-32768");
+  EXPECT_EQ(brief(1234567), "1.235e+06");
+  EXPECT_EQ(brief(INFINITY), "inf");
+  EXPECT_EQ(brief(NAN), "–");
+}
+
 TEST(Text, ThreeDigitsHaveNoExponentThatHidesASize) {
   EXPECT_EQ(three_digits(0.02854), "0.0285");
   EXPECT_EQ(three_digits(8.2), "8.20");

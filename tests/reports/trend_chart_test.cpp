@@ -76,6 +76,13 @@ TEST(TrendChart, ALevelThatHasJustBecomeUnstableIsDrawn) {
   EXPECT_EQ(charts[0].curves[0].dots[1].mark, Mark::unstable);
 }
 
+TEST(TrendChart, OneNumberWithAnUnstableRunHasNoCourse) {
+  const double none = support::not_measured;
+  const History history{
+      "", versions, {{"bars", Finding::Kind::order, "order of 'a'", {2, none}, none, {"unstable", ""}}}};
+  EXPECT_TRUE(trend_charts("bars", history).empty()) << "the second version has not run it";
+}
+
 History two_versions(std::vector<claims::Trend> trends) {
   return {"", versions, std::move(trends)};
 }
