@@ -74,6 +74,7 @@ nlohmann::json claim_json(const Claim& c) {
           {"verdict", to_string(c.verdict)},
           {"evidence", c.evidence},
           {"studies", c.studies},
+          {"not_run", c.not_run},
           {"criteria", parts}};
 }
 
@@ -87,10 +88,30 @@ std::string holding(const Claim& c) {
   return all == 0 ? "-" : fmt::format("{} of {}", std::ranges::count_if(c.parts, holds), all);
 }
 
+/// "2 of 3", the studies that have a part of the verdict; empty where all that the program knows have one.
+std::string studies_counted(const Claim& c) {
+  if (c.not_run.empty()) return "";
+  return fmt::format("{} of {}", c.studies.size(), c.studies.size() + c.not_run.size());
+}
+
 void print_list(const std::vector<Claim>& all) {
-  Table table({{"claim"}, {"verdict", Kind::verdict}, {"hold"}, {"statement", Kind::line}}, 0);
-  for (const Claim& c : all) table.add({c.id, to_string(c.verdict), holding(c), c.statement});
+  std::vector<Table::Column> columns{{"claim"}, {"verdict", Kind::verdict}, {"hold"}};
+  const bool is_in_part = std::ranges::any_of(all, [](const Claim& c) { return !c.not_run.empty(); });
+  if (is_in_part) columns.push_back({"studies"});
+  columns.push_back({"statement", Kind::line});
+  Table table(std::move(columns), 0);
+  for (const Claim& c : all) {
+    std::vector<std::string> cells{c.id, to_string(c.verdict), holding(c)};
+    if (is_in_part) cells.push_back(studies_counted(c));
+    cells.push_back(c.statement);
+    table.add(std::move(cells));
+  }
   table.print();
+  if (is_in_part)
+    print_indented(
+        "studies: those in the store, of all that judge the claim; with the others its verdict may change "
+        "(`mpmvv claims ID` names them)",
+        0);
 }
 
 std::string source_text(const Claim& c) {
@@ -134,6 +155,8 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   if (options.verbose) print_grounds(parts);
   print_undecided(parts, options.verbose);
   print_reasons(parts);
+  if (!c.not_run.empty())
+    print_indented(fmt::format("not in the store: {}, by which the verdict may change", support::listed(c.not_run)));
   const std::string command = repeated_by(c, results, options.db);
   if (command.empty())
     print("  no study in the store judges it\n");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/shipped.hpp"
+#include "cli/study_list.hpp"
 #include "reports/alarm_counts.hpp"
 #include "reports/mutation_claim.hpp"
 #include "reports/mutation_results.hpp"
@@ -119,7 +120,9 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
     return std::ranges::find(study.claims, mutants.claims.front()) != study.claims.end();
   };
   if (std::ranges::any_of(studies, names_it)) studies.push_back(mutants);
-  return claims::judge_claims(studies);
+  std::vector<claims::Claim> judged = claims::judge_claims(studies);
+  name_studies_not_run(judged, studies);
+  return judged;
 }
 
 inline std::vector<records::StudyResult> without_trials(std::vector<records::StudyResult> studies) {

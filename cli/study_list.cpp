@@ -11,19 +11,38 @@
 
 namespace mpmvv::cli {
 
+namespace {
+
+/// The ids of the claims that a study names, for figures or for criteria.
+std::vector<std::string> claims_of(const support::TomlTable& study) {
+  std::vector<std::string> ids = study.texts("claims");
+  for (const auto& claim : study.tables("claim"))
+    if (const std::string id = claim.text("id"); std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
+  return ids;
+}
+
+}  // namespace
+
 nlohmann::json study_list(const std::string& folder) {
   const std::filesystem::path place = folder.empty() ? shipped("studies") : std::filesystem::path(folder);
   nlohmann::json studies = nlohmann::json::array();
   for (const std::string& name : study_names(place)) {
     const auto file = support::TomlTable::read(place / (name + ".toml"));
-    std::vector<std::string> claims = file.texts("claims");
-    for (const auto& claim : file.tables("claim"))
-      if (const std::string id = claim.text("id"); std::ranges::find(claims, id) == claims.end()) claims.push_back(id);
-    studies.push_back({{"name", name}, {"title", file.text("title")}, {"claims", claims}});
+    studies.push_back({{"name", name}, {"title", file.text("title")}, {"claims", claims_of(file)}});
   }
   if (studies.empty())
     throw support::UsageError(fmt::format("no study in '{}' (--studies: a folder with study files)", place.string()));
   return studies;
+}
+
+void name_studies_not_run(std::vector<claims::Claim>& claims, const std::vector<records::StudyResult>& results) {
+  const std::filesystem::path place = shipped("studies");
+  for (const std::string& name : study_names(place)) {
+    if (std::ranges::find(results, name, &records::StudyResult::name) != results.end()) continue;
+    const std::vector<std::string> ids = claims_of(support::TomlTable::read(place / (name + ".toml")));
+    for (claims::Claim& claim : claims)
+      if (std::ranges::find(ids, claim.id) != ids.end()) claim.not_run.push_back(name);
+  }
 }
 
 }  // namespace mpmvv::cli

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "page_template.hpp"
@@ -44,6 +47,8 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
                              {"parts", criteria_data(claim.parts)},
                              {"pictures", pictures},
                              {"studies", studies},
+                             {"not_run", fmt::format("{}", fmt::join(claim.not_run, ", "))},
+                             {"has_not_run", !claim.not_run.empty()},
                              {"command", claim.id == mutants_claim ? mutants_command : command_of(input, names)}}));
 }
 

@@ -178,7 +178,9 @@ std::string deciding_text(const claims::Claim& claim) {
                      decisive == inconclusive ? "; inconclusive" : "", study_text(claim, *deciding));
 }
 
-std::string count_text(const claims::Claim& claim) {
+namespace {
+
+std::string criteria_text(const claims::Claim& claim) {
   if (claim.parts.empty()) return "not judged yet";
   const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
   if (judged == 0) return "shown in figures";
@@ -189,6 +191,14 @@ std::string count_text(const claims::Claim& claim) {
                             : "its criterion does not hold";
   const std::string rest = undecided > 0 ? fmt::format(", {} inconclusive", undecided) : "";
   return fmt::format("{} of {} criteria hold{}", holding, judged, rest);
+}
+
+}  // namespace
+
+std::string count_text(const claims::Claim& claim) {
+  if (claim.not_run.empty()) return criteria_text(claim);
+  return fmt::format("{}; {} of its {} studies {} not run", criteria_text(claim), claim.not_run.size(),
+                     claim.studies.size() + claim.not_run.size(), claim.not_run.size() == 1 ? "was" : "were");
 }
 
 data criteria_data(const std::vector<claims::JudgedPart>& parts) {

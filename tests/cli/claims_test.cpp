@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
@@ -69,6 +70,20 @@ TEST_F(Claims, HaveAPageEach) {
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST(ClaimsOfTheProgram, SayWithoutWhichOfItsStudiesTheyAreJudged) {
+  const Folder folder;
+  const std::string db = store_of(folder);  // names the claim of a study that comes with the program, s-fig10
+  EXPECT_THAT(call(folder, "claims --db " + db).out,
+              AllOf(StartsWith("claim    verdict    hold    studies  statement\n"),
+                    ContainsRegex("\nS-fig10 +confirmed +1 of 1 +1 of 2 "),
+                    HasSubstr("\nstudies: those in the store, of all that judge the claim")));
+  EXPECT_THAT(call(folder, "claims S-fig10 --db " + db).out,
+              HasSubstr("not in the store: s-fig10, by which the verdict may change\n"));
+  const auto json = nlohmann::json::parse(call(folder, "claims --json --db " + db).out);
+  EXPECT_EQ(json["claims"][0]["studies"], nlohmann::json({"small"}));
+  EXPECT_EQ(json["claims"][0]["not_run"], nlohmann::json({"s-fig10"}));
 }
 
 TEST_F(Claims, AreRepeatedFromAStoreOfAnyName) {

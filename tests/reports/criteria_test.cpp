@@ -108,6 +108,19 @@ TEST(UndecidedText, OfALimitBeyondAllValuesTriedAsksForMore) {
                                               "beyond the values tried might decide."));
 }
 
+TEST(CountText, SaysHowManyStudiesWereNotRun) {
+  claims::Claim claim;
+  EXPECT_EQ(count_text(claim), "not judged yet");
+  claim.parts = {{"small", asked(1, std::nullopt)}};
+  claim.parts[0].part.verdict = PartVerdict::holds;
+  claim.studies = {"small"};
+  EXPECT_EQ(count_text(claim), "its criterion holds");
+  claim.not_run = {"long"};
+  EXPECT_EQ(count_text(claim), "its criterion holds; 1 of its 2 studies was not run");
+  claim.not_run = {"long", "longer"};
+  EXPECT_EQ(count_text(claim), "its criterion holds; 2 of its 3 studies were not run");
+}
+
 TEST(DecidingText, NamesWhatAValueIsOf) {
   ClaimPart part = asked(-0.05, 0.05);
   part.statement = "the plateau of the second is within 5 %", part.measure = "value";
