@@ -155,8 +155,10 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   if (options.verbose) print_grounds(parts);
   print_undecided(parts, options.verbose);
   print_reasons(parts);
-  if (!c.not_run.empty())
+  if (!c.not_run.empty()) {
+    print("\n");
     print_indented(fmt::format("not in the store: {}, by which the verdict may change", support::listed(c.not_run)));
+  }
   const std::string command = repeated_by(c, results, options.db);
   if (command.empty())
     print("  no study in the store judges it\n");

@@ -5,9 +5,10 @@
 
 namespace mpmvv::cli {
 
-/// While it lives, an interrupt from the keyboard (SIGINT) or a request to end (SIGTERM) asks to stop instead of ending
-/// the program at once; those that the program was started to ignore stay ignored. SIGUSR1, which schedulers of
-/// clusters send as well, changes nothing. Threads must be started after it: they inherit that the signals are blocked.
+/// While it lives, an interrupt from the keyboard (SIGINT), a request to end (SIGTERM) or the end of the terminal
+/// (SIGHUP) asks to stop instead of ending the program at once; those that the program was started to ignore stay
+/// ignored. SIGUSR1, which schedulers of clusters send as well, changes nothing. Threads must be started after it: they
+/// inherit that the signals are blocked.
 class Interruption {
  public:
   Interruption();

@@ -28,6 +28,7 @@ std::function<void(const plan::Progress&)> ProgressLine::listener() {
   if (!drawing_.joinable()) return {};
   return [this](const plan::Progress& progress) {
     const std::lock_guard lock(mutex_);
+    if (drawing_.get_stop_token().stop_requested()) return;
     progress_ = progress;
     told_ = Clock::now();
     draw();
@@ -38,6 +39,7 @@ void ProgressLine::clear() {
   if (!drawing_.joinable()) return;
   drawing_.request_stop();
   drawing_.join();
+  const std::lock_guard lock(mutex_);  // a listener may be drawing
   note_text(to_its_start);
 }
 

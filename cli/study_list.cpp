@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/shipped.hpp"
 #include "studies/support/error.hpp"
@@ -18,6 +19,18 @@ std::vector<std::string> claims_of(const support::TomlTable& study) {
   std::vector<std::string> ids = study.texts("claims");
   for (const auto& claim : study.tables("claim"))
     if (const std::string id = claim.text("id"); std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
+  return ids;
+}
+
+/// The claims that a study judges by criteria; none of a file that cannot be read, which is for others to complain of.
+std::set<std::string> claims_judged_in(const std::filesystem::path& file) {
+  std::set<std::string> ids;
+  try {
+    for (const auto& criterion : support::TomlTable::read(file).tables("criterion"))
+      ids.insert(criterion.text("claim"));
+  } catch (const support::UsageError&) {
+    return {};
+  }
   return ids;
 }
 
@@ -38,10 +51,13 @@ nlohmann::json study_list(const std::string& folder) {
 void name_studies_not_run(std::vector<claims::Claim>& claims, const std::vector<records::StudyResult>& results) {
   const std::filesystem::path place = shipped("studies");
   for (const std::string& name : study_names(place)) {
-    if (std::ranges::find(results, name, &records::StudyResult::name) != results.end()) continue;
-    const std::vector<std::string> ids = claims_of(support::TomlTable::read(place / (name + ".toml")));
-    for (claims::Claim& claim : claims)
-      if (std::ranges::find(ids, claim.id) != ids.end()) claim.not_run.push_back(name);
+    const auto result = std::ranges::find(results, name, &records::StudyResult::name);
+    const std::set<std::string> judged = claims_judged_in(place / (name + ".toml"));
+    for (claims::Claim& claim : claims) {
+      const bool is_there =
+          result != results.end() && std::ranges::find(result->claims, claim.id) != result->claims.end();
+      if (!is_there && judged.contains(claim.id)) claim.not_run.push_back(name);
+    }
   }
 }
 

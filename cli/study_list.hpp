@@ -12,7 +12,7 @@ namespace mpmvv::cli {
 /// the program.
 nlohmann::json study_list(const std::string& folder);
 
-/// Says of claims which studies that come with the program name them, too, but are not among the results.
+/// Says of claims which studies that come with the program judge them, too, but are not among the results.
 void name_studies_not_run(std::vector<claims::Claim>& claims, const std::vector<records::StudyResult>& results);
 
 }  // namespace mpmvv::cli

@@ -54,7 +54,7 @@ void require_plain(const fs::path& folder) {
 void require_store_apart(const Submission& submission) {
   static const std::regex written(R"((costs|shard-\d+)\.db)");
   const fs::path db = fs::weakly_canonical(submission.db);
-  if (db == fs::weakly_canonical(submission.folder))
+  if (db == fs::weakly_canonical(submission.folder / "submit.sh").parent_path())
     throw support::UsageError(fmt::format("--db {} is the folder of the submission, too (another name, or --folder)",
                                           submission.db.string()));
   if (std::regex_match(db.filename().string(), written) &&

@@ -23,21 +23,15 @@ Key key_of(const Finding& finding) {
   return {finding.study, finding.name};
 }
 
-/// How much a word (a status, a verdict) that differs counts, in bands, or a step to or from infinity: more than any
-/// other number.
-constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
-
 bool same_up_to_round_off(double a, double b) {
-  if (a == b) return true;  // also where both are infinite
   const double size = std::max(std::abs(a), std::abs(b));
-  return !std::isinf(size) && (size <= absolute_round_off || std::abs(a - b) <= relative_round_off * size);
+  return size <= absolute_round_off || std::abs(a - b) <= relative_round_off * size;
 }
 
 /// The size of a change in widths of the goldens' band for this kind of number.
 double bands_between(Finding::Kind kind, double before, double after) {
   if (same_up_to_round_off(before, after)) return 0;
   const double step = std::abs(after - before);
-  if (std::isinf(step)) return beyond_any_number;
   if (kind == Finding::Kind::order) return step / order_band;
   const double size = std::abs(before == 0 ? after : before);
   return step / size / (kind == Finding::Kind::limit ? limit_band : error_band);
@@ -66,8 +60,7 @@ void compare_levels(Change& change) {
   const double size = is_curve(change.before) ? size_of_curve(change) : 0;
   const auto between = [size](double before, double after) {
     if (size == 0) return bands_between(Finding::Kind::error, before, after);
-    if (same_up_to_round_off(before, after)) return 0.0;
-    return std::isinf(size) ? beyond_any_number : std::abs(after - before) / size / error_band;
+    return same_up_to_round_off(before, after) ? 0 : std::abs(after - before) / size / error_band;
   };
   double most = 0;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
@@ -88,6 +81,9 @@ void compare_levels(Change& change) {
   const bool better = change.before.better * growth > 0;
   change.bands = better ? -most : most;
 }
+
+/// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
+constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
 /// The words of statuses and verdicts, the better ones higher. A word without a rank says neither good nor bad:
 /// `shown`, or why there is no number.

@@ -27,7 +27,7 @@ struct Claim {
   std::string evidence;                   ///< per part: what was asked and measured
   std::vector<JudgedPart> parts;          ///< in the order of the studies
   std::vector<std::string> studies;       ///< those that have a part of it
-  std::vector<std::string> not_run = {};  ///< studies that name it, too, but have no result here
+  std::vector<std::string> not_run = {};  ///< studies that judge it, too, but have no result here
 };
 
 constexpr std::array<const char*, 5> words_of(Claim::Verdict) {

@@ -54,7 +54,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
-  if (const std::string why = no_logarithm(c, result, series, norm); !why.empty()) out.missing = why;
+  if (out.missing.empty()) out.missing = no_logarithm(c, result, series, norm);
   if (fit.points < stable) out.missing = why_missing(c, result, series, norm, stable - fit.points, stable);
   return fit;
 }

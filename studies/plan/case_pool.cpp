@@ -166,6 +166,7 @@ bool CasePool::is_done(const Case& c) {
   if (!records_.contains(c)) return false;
   if (asked_for_.erase(c) > 0) {
     remaining_.finish(c, support::not_measured);
+    progress_.label = label(c);
     ++progress_.done;
     report_to(options_.progress);
   }

@@ -121,7 +121,8 @@ class Forecaster {
     if (!plan.check.empty())
       reasons.push_back(stored_check(plan, stored_studies_)
                             ? "its check is in the store"
-                            : fmt::format("its check has not been run by this program, and counts {} s", about_check));
+                            : fmt::format("its check has no whole result of this program in the store, and counts {} s",
+                                          about_check));
     const std::size_t all = study.runs + study.probes;
     add(all > study.anew, "{} not in the store for this program", all - study.anew);
     add(study.anew > 0, "{} in the store timed anew, in the same rounds as the others", study.anew);

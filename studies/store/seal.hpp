@@ -30,7 +30,7 @@ void require_intact(const Database& database, Sealed kind, const Value& id);
 void require_intact_run(const Database& database, const Row& run);
 
 /// The rows whose seal does not fit what they hold, in words for people. Other programs may write meanwhile: each row
-/// is read in a transaction of its own, so that they wait for none but the row that is read.
+/// is read in a transaction of its own, so that they wait for one row, not for all.
 std::vector<std::string> broken_seals(Database& database);
 
 }  // namespace mpmvv::store

@@ -91,9 +91,11 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
     return true;
   }
   const fs::path target = end_of_links(file), part = new_file_beside(target, file);
-  if (is_there)  // before anything is in it; ours to write in any case
-    fs::permissions(part, fs::status(target, failed).permissions() | fs::perms::owner_write, failed);
+  const fs::file_status replaced = fs::status(target, failed);
+  const bool has_permissions = fs::is_regular_file(replaced);
+  if (has_permissions) fs::permissions(part, fs::perms::owner_read | fs::perms::owner_write, failed);
   write(part, content, file);
+  if (has_permissions) fs::permissions(part, replaced.permissions(), failed);
   fs::rename(part, target, failed);
   if (!failed) return true;
   const std::string why = failed.message();

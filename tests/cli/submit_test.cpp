@@ -162,7 +162,9 @@ TEST_F(Submit, LeavesThePlaceOfTheStoreFree) {
       call(folder_, "submit --engine slurm splines.toml --shards 2 --db all.shards --dry-run", in_folder_);
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("all.shards is the folder of the submission, too (another name, or --folder)"));
+  EXPECT_EQ(call(folder_, "submit --engine slurm splines.toml --shards 2 --db all --folder all/", in_folder_).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.shards"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
 }
 
 TEST_F(Submit, RefusesWhatNoClusterTakes) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mpmvv::goldens::comparison_test {
 
@@ -148,17 +147,6 @@ TEST(Compare, FindsTheLevelThatChangedMost) {
   const Change other = compare({error({{8, 1}, {16, 0.2}})}, {error({{4, 9}, {8, 1}, {16, 0.3}})}).changes[0];
   EXPECT_EQ(other.largest->x, 16);
   EXPECT_NEAR(other.bands, 5, 1e-12);
-}
-
-TEST(Compare, AStepToInfinityIsLargerThanAnyOther) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(bands(number(Kind::value, "v", infinity), number(Kind::value, "v", infinity)), 0);
-  EXPECT_EQ(bands(number(Kind::value, "v", infinity), number(Kind::value, "v", 1)), infinity);
-  EXPECT_EQ(bands(number(Kind::value, "v", 1, 1), number(Kind::value, "v", infinity, 1)), -infinity) << "better";
-  EXPECT_EQ(bands(number(Kind::value, "v", -infinity), number(Kind::value, "v", infinity)), infinity);
-  EXPECT_EQ(bands(curve({{0, infinity}, {1, 1}}), curve({{0, infinity}, {1, 1}})), 0);
-  EXPECT_EQ(bands(curve({{0, infinity}, {1, 1}}), curve({{0, infinity}, {1, 2}})), infinity);
-  EXPECT_EQ(bands(curve({{0, 1}, {1, 1}}), curve({{0, infinity}, {1, 1}})), infinity);
 }
 
 TEST(Compare, AStepOfACurveIsMeasuredAgainstTheWholeCurve) {

@@ -118,4 +118,17 @@ TEST(Criterion, AReplicateWithoutALogarithmLeavesTheOrderOpen) {
               HasSubstr("; 'good' has a replicate with l2 not above 0 at cells = 8 (asked"));
 }
 
+TEST(Criterion, AnOrderDifferenceNamesTheNormWhoseReplicateHasNoLogarithm) {
+  StudyResult result = scattered(0);
+  for (Point& point : result.series[0].points) {
+    point.y["linf"] = 2 * point.y["l2"];
+    for (const char* norm : {"l2", "linf"}) point.replicates[norm] = std::vector<double>(3, point.y[norm]);
+  }
+  Criterion c = criterion(Kind::order_difference, "good", -0.1, 0.1);
+  c.over_norm = "linf";
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << judge(c, result).evidence;
+  result.series[0].points[0].replicates["linf"][2] = -0.1;
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("'good' has a replicate with linf not above 0 at cells = 8"));
+}
+
 }  // namespace mpmvv::claims::criterion_replicates_test
