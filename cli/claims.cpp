@@ -157,7 +157,7 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   print_reasons(parts);
   if (!c.not_run.empty()) {
     print("\n");
-    print_indented(fmt::format("not in the store: {}, by which the verdict may change", support::listed(c.not_run)));
+    print_indented(fmt::format("judged without {}: not in the store", support::listed(c.not_run)));
   }
   const std::string command = repeated_by(c, results, options.db);
   if (command.empty())
@@ -176,6 +176,8 @@ const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, co
 }
 
 int show(const ClaimsOptions& options) {
+  if (options.verbose && options.ids.empty())
+    throw support::UsageError("--verbose without a claim (it is of pages: `mpmvv claims ID --verbose`)");
   const auto results = own_results(options.db);
   require_own_results(results, options.db);
   std::vector<Claim> judged = judged_claims(results, own_mutation(options.db));
@@ -203,11 +205,10 @@ int show(const ClaimsOptions& options) {
 void add_claims(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ClaimsOptions>();
   CLI::App* command = app.add_subcommand("claims", "Print every claim with its verdict, or the pages of some");
-  CLI::Option* ids =
-      command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
-          ->type_name("ID");
+  command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
+      ->type_name("ID");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
-  command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too")->needs(ids);
+  command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too");
   command->add_flag("--json", options->json, "print one JSON object");
   add_examples(*command, {"mpmvv claims --db results.db", "mpmvv claims S-fig4 --db results.db"});
   command->callback([options, &exit_code] { exit_code = show(*options); });

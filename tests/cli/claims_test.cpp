@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
@@ -66,7 +65,9 @@ TEST_F(Claims, HaveAPageEach) {
                               HasSubstr("small.toml is what `mpmvv db study small --db " + db_ + "` prints\n"),
                               Not(HasSubstr("l2 of"))));
   EXPECT_THAT(claims("linear --verbose").out, HasSubstr("    l2 of 'linear' at cells = 32 = 0.000631\n"));
-  EXPECT_EQ(claims("--verbose").code, 2) << "it is of pages alone";
+  const Answer without = claims("--verbose");
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("--verbose without a claim (it is of pages: `mpmvv claims ID --verbose`)"));
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
@@ -79,11 +80,25 @@ TEST(ClaimsOfTheProgram, SayWithoutWhichOfItsStudiesTheyAreJudged) {
               AllOf(StartsWith("claim    verdict    hold    studies  statement\n"),
                     ContainsRegex("\nS-fig10 +confirmed +1 of 1 +1 of 2 "),
                     HasSubstr("\nstudies: those in the store, of all that judge the claim")));
-  EXPECT_THAT(call(folder, "claims S-fig10 --db " + db).out,
-              HasSubstr("not in the store: s-fig10, by which the verdict may change\n"));
-  const auto json = nlohmann::json::parse(call(folder, "claims --json --db " + db).out);
+  EXPECT_THAT(call(folder, "claims S-fig10 --db " + db).out, HasSubstr("judged without s-fig10: not in the store\n"));
+  const auto json = call(folder, "claims --json --db " + db).json();
   EXPECT_EQ(json["claims"][0]["studies"], nlohmann::json({"small"}));
   EXPECT_EQ(json["claims"][0]["not_run"], nlohmann::json({"s-fig10"}));
+}
+
+/// A file that cannot be read, and a study that only shows figures for the claim, are nothing that it lacks.
+TEST(ClaimsOfTheProgram, LackOnlyStudiesThatJudgeThem) {
+  const Folder folder;
+  const std::string db = store_of(folder), drawn = small_study;
+  for (const char* made : {"bin", "share/mpmvv/studies"}) std::filesystem::create_directories(folder / made);
+  std::filesystem::copy_file(program(), folder / "bin/mpmvv");
+  folder.write("share/mpmvv/studies/quick.txt", "");
+  folder.write("share/mpmvv/studies/broken.toml", "[[criterion]]\nclaim = ");
+  folder.write("share/mpmvv/studies/drawn.toml", drawn.substr(0, drawn.find("[[criterion]]")));
+  folder.write("share/mpmvv/studies/longer.toml", small_study);
+  const Answer answer = shell("'" + (folder / "bin/mpmvv") + "' claims --json --db '" + db + "' 2>&1");
+  ASSERT_EQ(answer.code, 0) << answer.out;
+  EXPECT_EQ(answer.json()["claims"][0]["not_run"], nlohmann::json({"longer"}));
 }
 
 TEST_F(Claims, AreRepeatedFromAStoreOfAnyName) {
