@@ -45,4 +45,13 @@ struct HugePages {
 template <class T>
 using Array = std::vector<T, HugePages<T>>;
 
+/// Has a value that is soon read and written brought near the core, and does not wait for it.
+template <class T>
+[[gnu::always_inline]] inline void prefetch(const T& value) {
+  constexpr std::size_t cache_line = 64;
+  const auto* const from = reinterpret_cast<const char*>(&value);
+  __builtin_prefetch(from, 1);
+  if constexpr (sizeof(T) > cache_line) __builtin_prefetch(from + sizeof(T) - 1, 1);
+}
+
 }  // namespace mpmvv::solver

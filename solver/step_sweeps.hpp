@@ -91,7 +91,7 @@ void Step<D>::map_momentum_and_forces() {
 template <int D>
 void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
   finish_waiting();  // a mapping anew would update F twice
-  map_forces(MapForces<D>{particles_, grid_}, EvaluateVelocityGradient<D>{grid_},
+  map_forces(MapForces<D>{particles_, grid_}, EvaluateVelocityGradient<D>{particles_, grid_},
              UpdateDeformation<D>{particles_, deform});
 }
 
@@ -146,7 +146,7 @@ void Step<D>::update_particles(double dt, const DeformationStep& deform) {
 
 template <int D>
 void Step<D>::move_particles_and_deform(double dt, const DeformationStep& deform) {
-  last_sweep(MoveByRate<D>{particles_, dt}, EvaluateVelocityGradient<D>{grid_},
+  last_sweep(MoveByRate<D>{particles_, dt}, EvaluateVelocityGradient<D>{particles_, grid_},
              UpdateDeformation<D>{particles_, deform});
 }
 

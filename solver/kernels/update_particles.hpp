@@ -49,13 +49,24 @@ template <bool is_flip, int D>
   }
 }
 
+/// Prefetches F_p, which is updated once the block has its L. As that reads nothing else for long, it would wait for
+/// memory: large cubes took 1.07 times as long, large squares 1.05.
+template <int D>
+[[gnu::always_inline]] inline void prefetch_deformation(const Particles<D>& particles, std::size_t p) {
+  prefetch(particles.F[p]);
+}
+template <int D>
+[[gnu::always_inline]] inline void prefetch_deformation(const Particles<D>&, const ParticlePack&) {}
+
 /// L_p = Σ_i v_i ⊗ ∇N_ip, for the update of F_p                S (7), W (10)
 template <int D>
 struct EvaluateVelocityGradient {
   static constexpr bool uses_gradients = true;
+  const Particles<D>& particles;
   const Grid<D>& grid;
 
   [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, auto& block) const {
+    prefetch_deformation(particles, p);
     write(nodes.gather_with_gradient(grid.v).gradient, block.L, p - block.begin);
   }
 };
@@ -71,6 +82,7 @@ struct UpdateParticle {
   double dt;
 
   [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, auto& block) const {
+    prefetch_deformation(particles, p);
     auto v = nodes.gather_with_gradient(grid.v);
     update_velocity_and_position<is_flip>(particles, grid, fields, dt, p, v.value, nodes);
     write(std::move(v.gradient), block.L, p - block.begin);
@@ -126,6 +138,7 @@ struct UpdatePosition {
   double dt;
 
   [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, auto& block) const {
+    prefetch_deformation(particles, p);
     auto v = nodes.gather_with_gradient(grid.v);
     particles.x[p] += (dt * v.value).template head<D>();
     write(std::move(v.gradient), block.L, p - block.begin);

@@ -116,13 +116,15 @@ void expect_to_move(const AnyBasis& basis, Deformation rule, const auto& fields_
 
   MovedBody<D> by_two(basis, false);  // the gradient by a kernel of its own, velocity and position by another
   const VelocityFields<D> same = fields_of(by_two.grid);
-  by_two.visit({EvaluateVelocityGradient<D>{by_two.grid}, UpdateDeformation<D>{by_two.particles, deform},
+  by_two.visit({EvaluateVelocityGradient<D>{by_two.particles, by_two.grid},
+                UpdateDeformation<D>{by_two.particles, deform},
                 UpdateVelocityAndPosition<D, is_flip>{by_two.particles, by_two.grid, same, dt}});
   expected.compare(by_two.particles);
 
   MovedBody<D> by_rate(basis, false);  // the position by the rate that is kept
   by_rate.particles.rate.resize(by_rate.particles.size());
-  by_rate.visit({EvaluateVelocityGradient<D>{by_rate.grid}, UpdateDeformation<D>{by_rate.particles, deform},
+  by_rate.visit({EvaluateVelocityGradient<D>{by_rate.particles, by_rate.grid},
+                 UpdateDeformation<D>{by_rate.particles, deform},
                  UpdateVelocityAndRate<D>{by_rate.particles, by_rate.grid, fields_of(by_rate.grid), dt},
                  MoveByRate<D>{by_rate.particles, dt}});
   expected.compare(by_rate.particles);
