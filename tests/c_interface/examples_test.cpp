@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
 
 #include "mms/catalogue.hpp"
+#include "tests/own_folder.hpp"
 
 /// The examples in other languages, run as their users would: each prints X, u and b of the same three points.
 namespace mpmvv::examples_test {
@@ -58,7 +58,7 @@ TEST(Examples, SeeTheInterfaceAlone) {
 /// The libraries as installed, in a place to which they were moved, under a project that knows nothing else of mpmvv.
 TEST(FindPackageNightly, GivesAProjectElsewhereTheRing) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / ("mpmvv-package-" + std::to_string(getpid()));
+  const fs::path folder = own_folder("package");
   const std::string installed = folder / "installed", moved = folder / "moved", build = folder / "build";
   output_of("cmake --install '" MPMVV_BUILD_DIR "' --component library --prefix '" + installed + "'");
   fs::rename(installed, moved);

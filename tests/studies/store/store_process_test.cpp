@@ -56,10 +56,7 @@ int expect_complaint(const std::function<void()>& action, const std::string& tex
 
 class StoreProcesses : public StoreTest {
  protected:
-  void SetUp() override {
-    StoreTest::SetUp();
-    std::filesystem::permissions(folder_, std::filesystem::perms::all);
-  }
+  void SetUp() override { std::filesystem::permissions(folder_, std::filesystem::perms::all); }
   void TearDown() override {
     std::filesystem::permissions(folder_, std::filesystem::perms::all);
     StoreTest::TearDown();

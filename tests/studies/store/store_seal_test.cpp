@@ -46,7 +46,6 @@ StudyResult full_study() {
 class SealedStore : public StoreTest {
  protected:
   void SetUp() override {
-    StoreTest::SetUp();
     Store store(file_, Store::Mode::create_or_write);
     records::Record failed = record(16);
     failed.status = records::Status::failed;
