@@ -35,20 +35,20 @@ void expect_the_ring(const std::string& command) {
 }
 
 TEST(Examples, InC) {
-  expect_the_ring(MPMVV_C_EXAMPLE);
+  expect_the_ring("'" MPMVV_C_EXAMPLE "'");
 }
 
 TEST(Examples, InFortran) {
   if (std::string(MPMVV_FORTRAN_EXAMPLE).empty()) GTEST_SKIP() << "there is no Fortran compiler";
-  expect_the_ring(MPMVV_FORTRAN_EXAMPLE);
+  expect_the_ring("'" MPMVV_FORTRAN_EXAMPLE "'");
 }
 
 TEST(Examples, InPython) {
-  expect_the_ring("python3 " MPMVV_SOURCE_DIR "/mms/c/examples/ring.py " MPMVV_MMS_LIBRARY);
+  expect_the_ring("python3 '" MPMVV_SOURCE_DIR "/mms/c/examples/ring.py' '" MPMVV_MMS_LIBRARY "'");
 }
 
 TEST(Examples, SeeTheInterfaceAlone) {
-  std::istringstream symbols(output_of("nm -D --defined-only " MPMVV_MMS_LIBRARY));
+  std::istringstream symbols(output_of("nm -D --defined-only '" MPMVV_MMS_LIBRARY "'"));
   int seen = 0;
   for (std::string address, kind, name; symbols >> address >> kind >> name; ++seen)
     EXPECT_TRUE(name.starts_with("mpmvv_") || name == "MPMVV_MMS_1") << name;
