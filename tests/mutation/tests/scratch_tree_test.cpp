@@ -17,7 +17,6 @@ using support::UsageError;
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 class ScratchTrees : public testing::Test {
  protected:

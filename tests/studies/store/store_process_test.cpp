@@ -15,7 +15,6 @@ namespace mpmvv::store::store_process_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Runs a function in a process of its own, whose exit status is what it returns; an exception is 99.

@@ -18,7 +18,6 @@ using records::StudyResult;
 using namespace store_samples;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 /// A study with a row in every table.
 StudyResult full_study() {
