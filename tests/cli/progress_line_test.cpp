@@ -24,7 +24,7 @@ TEST(ProgressLine, SaysOfARunHowFarItsStepsHaveCome) {
   const std::string run =
       "'" + program() + "' run --problem bar --basis bspline2 --integrator cd --cells 4096 --ppc 2 --cfl 0.4";
   const std::string shown = shell("script -qec \"" + run + "\" /dev/null").out;
-  EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[[0-9]+/[0-9]+\\] about [0-9.]+ s left  steps of bar"));
+  EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[[0-9]+/[0-9]+\\] about [0-9.]+ (s|min|h) left  steps of bar"));
   EXPECT_THAT(shell(run + " 2>&1").out, Not(HasSubstr("steps of bar"))) << "not where nobody watches";
 }
 
