@@ -197,7 +197,7 @@ TEST_F(OtherCodes, ABrokenAdapterTakesItsOwnPlaceInTheListAlone) {
 }
 
 TEST_F(OtherCodes, AreListedInLinesThatATerminalHolds) {
-  std::istringstream list(in_folder("script -qec 'stty cols 80; mpmvv list codes' /dev/null").out);
+  std::istringstream list(in_folder("SHELL=/bin/sh script -qec 'stty cols 80; mpmvv list codes' /dev/null").out);
   int lines = 0;
   for (std::string line; std::getline(list, line); ++lines) {
     const bool has_path = line.find('/') != std::string::npos;  // which is one word

@@ -72,7 +72,7 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
 /// What a call in the folder prints on a terminal of so many columns, without colours.
 inline std::string on_terminal(const Folder& folder, int columns, const std::string& arguments) {
   const std::string call = "stty cols " + std::to_string(columns) + "; '" + program() + "' " + arguments;
-  const Answer shown = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null");
+  const Answer shown = shell("cd '" + (folder / "") + "' && SHELL=/bin/sh script -qec \"" + call + "\" /dev/null");
   EXPECT_EQ(shown.code, 0) << arguments << shown.out;
   EXPECT_NE(shown.out, "") << arguments << " shows nothing, whose lines fit everywhere";
   return std::regex_replace(std::regex_replace(shown.out, std::regex("\033\\[[0-9;]*[a-zA-Z]"), ""),
