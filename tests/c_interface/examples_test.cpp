@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
 
 #include "mms/catalogue.hpp"
+#include "tests/own_folder.hpp"
 
 /// The examples in other languages, run as their users would: each prints X, u and b of the same three points.
 namespace mpmvv::examples_test {
@@ -35,20 +35,20 @@ void expect_the_ring(const std::string& command) {
 }
 
 TEST(Examples, InC) {
-  expect_the_ring(MPMVV_C_EXAMPLE);
+  expect_the_ring("'" MPMVV_C_EXAMPLE "'");
 }
 
 TEST(Examples, InFortran) {
   if (std::string(MPMVV_FORTRAN_EXAMPLE).empty()) GTEST_SKIP() << "there is no Fortran compiler";
-  expect_the_ring(MPMVV_FORTRAN_EXAMPLE);
+  expect_the_ring("'" MPMVV_FORTRAN_EXAMPLE "'");
 }
 
 TEST(Examples, InPython) {
-  expect_the_ring("python3 " MPMVV_SOURCE_DIR "/mms/c/examples/ring.py " MPMVV_MMS_LIBRARY);
+  expect_the_ring("python3 '" MPMVV_SOURCE_DIR "/mms/c/examples/ring.py' '" MPMVV_MMS_LIBRARY "'");
 }
 
 TEST(Examples, SeeTheInterfaceAlone) {
-  std::istringstream symbols(output_of("nm -D --defined-only " MPMVV_MMS_LIBRARY));
+  std::istringstream symbols(output_of("nm -D --defined-only '" MPMVV_MMS_LIBRARY "'"));
   int seen = 0;
   for (std::string address, kind, name; symbols >> address >> kind >> name; ++seen)
     EXPECT_TRUE(name.starts_with("mpmvv_") || name == "MPMVV_MMS_1") << name;
@@ -58,7 +58,7 @@ TEST(Examples, SeeTheInterfaceAlone) {
 /// The libraries as installed, in a place to which they were moved, under a project that knows nothing else of mpmvv.
 TEST(FindPackageNightly, GivesAProjectElsewhereTheRing) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / ("mpmvv-package-" + std::to_string(getpid()));
+  const fs::path folder = own_folder("package");
   const std::string installed = folder / "installed", moved = folder / "moved", build = folder / "build";
   output_of("cmake --install '" MPMVV_BUILD_DIR "' --component library --prefix '" + installed + "'");
   fs::rename(installed, moved);

@@ -238,7 +238,7 @@ TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
 TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {
   const std::string listing = "'" + program() + "' claims --db '" + db_ + "'";
   const auto on_a_terminal = [&](const std::string& variables) {
-    return shell("env -u NO_COLOR " + variables + " script -qec \"" + listing + "\" /dev/null").out;
+    return shell("env -u NO_COLOR " + variables + " SHELL=/bin/sh script -qec \"" + listing + "\" /dev/null").out;
   };
   const std::string green = "\033[32mconfirmed\033[0m", red = "\033[31mrefuted\033[0m";
   EXPECT_THAT(on_a_terminal("TERM=xterm"), AllOf(HasSubstr(green), HasSubstr(red)));

@@ -6,7 +6,6 @@
 
 namespace mpmvv::cli::expression_test {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 

@@ -175,10 +175,12 @@ TEST_F(ManualNightly, IsAManPageWithoutWarnings) {
   EXPECT_THAT(man.out, HasSubstr("EXIT STATUS"));
 }
 
+/// At home in the folder: fish reads the settings that its user has there, and leaves some.
 TEST_F(ManualNightly, CompletesInFish) {
   folder_.write("mpmvv.fish", said("completion fish"));
   const auto fish = [&](const std::string& line) {
-    return shell("cd '" + (folder_ / "") + "' && fish -c 'source mpmvv.fish; complete -C \"mpmvv " + line + "\"' 2>&1")
+    return shell("cd '" + (folder_ / "") + "' && env -u XDG_CONFIG_HOME -u XDG_DATA_HOME HOME=\"$PWD\" " +
+                 "fish -c 'source mpmvv.fish; complete -C \"mpmvv " + line + "\"' 2>&1")
         .out;
   };
   EXPECT_THAT(fish("r"), HasSubstr("report\tWrite"));

@@ -135,7 +135,7 @@ TEST_F(OtherCodes, TheAdapterSaysTheColumnsOfWhatIsScored) {
   ASSERT_NE(at, std::string::npos);
   const auto naming = [&](const std::string& columns) {
     folder_.write("adapters/my-code/adapter.toml", std::string(adapter).insert(at, columns));
-    return in_folder("export MY_CODE=" + small_mpm + "\nmpmvv score case.json end.csv");
+    return in_folder("export MY_CODE='" + small_mpm + "'\nmpmvv score case.json end.csv");
   };
   std::filesystem::create_directories(folder_ / "adapters/my-code");
   folder_.write("adapters/my-code/adapter.toml", adapter);
@@ -143,7 +143,7 @@ TEST_F(OtherCodes, TheAdapterSaysTheColumnsOfWhatIsScored) {
   const std::string the_case =
       "--code my-code --variant quadratic --problem bar --cells 8 --ppc 2 --cfl 0.2 --end-time 0.002";
   const Answer run =
-      in_folder("export MY_CODE=" + small_mpm + "\nmpmvv case " + the_case + " > case.json && mpmvv run " + the_case +
+      in_folder("export MY_CODE='" + small_mpm + "'\nmpmvv case " + the_case + " > case.json && mpmvv run " + the_case +
                 " --keep trial && sed '/^id/s/,x,/,posx,/' trial/particles.csv > end.csv");
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   ASSERT_THAT(read_text(folder_ / "end.csv"), HasSubstr(",posx,"));
@@ -197,7 +197,7 @@ TEST_F(OtherCodes, ABrokenAdapterTakesItsOwnPlaceInTheListAlone) {
 }
 
 TEST_F(OtherCodes, AreListedInLinesThatATerminalHolds) {
-  std::istringstream list(in_folder("script -qec 'stty cols 80; mpmvv list codes' /dev/null").out);
+  std::istringstream list(in_folder("SHELL=/bin/sh script -qec 'stty cols 80; mpmvv list codes' /dev/null").out);
   int lines = 0;
   for (std::string line; std::getline(list, line); ++lines) {
     const bool has_path = line.find('/') != std::string::npos;  // which is one word
@@ -248,7 +248,7 @@ using OtherCodesNightly = OtherCodes;
 
 /// The worked example, as `./run codes` runs it.
 TEST_F(OtherCodesNightly, TheSmallCodeHoldsItsGoldens) {
-  const std::string adapter = MPMVV_SOURCE_DIR "/adapters/small-mpm";
+  const std::string adapter = "'" MPMVV_SOURCE_DIR "/adapters/small-mpm'";
   const Answer study = in_folder("mpmvv study --studies " + adapter + "/studies --db r.db");
   ASSERT_EQ(study.code, 0) << study.out << study.err;
   EXPECT_THAT(study.out, Not(HasSubstr("fails")));

@@ -1,7 +1,6 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -12,6 +11,8 @@
 #include <regex>
 #include <sstream>
 #include <string>
+
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::cli {
 
@@ -24,9 +25,6 @@ inline std::string program() {
 /// A folder of its own for one test, removed at the end.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("mpmvv-cli-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
   ~Folder() { std::filesystem::remove_all(path_); }
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
@@ -36,7 +34,7 @@ class Folder {
   }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_ = own_folder("cli");
 };
 
 /// What a call of the program printed, and its exit code.
@@ -74,7 +72,7 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
 /// What a call in the folder prints on a terminal of so many columns, without colours.
 inline std::string on_terminal(const Folder& folder, int columns, const std::string& arguments) {
   const std::string call = "stty cols " + std::to_string(columns) + "; '" + program() + "' " + arguments;
-  const Answer shown = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null");
+  const Answer shown = shell("cd '" + (folder / "") + "' && SHELL=/bin/sh script -qec \"" + call + "\" /dev/null");
   EXPECT_EQ(shown.code, 0) << arguments << shown.out;
   EXPECT_NE(shown.out, "") << arguments << " shows nothing, whose lines fit everywhere";
   return std::regex_replace(std::regex_replace(shown.out, std::regex("\033\\[[0-9;]*[a-zA-Z]"), ""),

@@ -176,7 +176,7 @@ ylabel = "error"
 /// A store with studies of one's own alone: the goldens that it has nothing for are a line, and no verdict.
 TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
   store_of(folder_);
-  ASSERT_EQ(report("--goldens " MPMVV_SOURCE_DIR "/goldens").code, 0);
+  ASSERT_EQ(report("--goldens '" MPMVV_SOURCE_DIR "/goldens'").code, 0);
   const std::string front = page("index.html");
   EXPECT_THAT(front,
               AllOf(HasSubstr("<title>mpmvv: not judged</title>"), HasSubstr("that this report has no result of"),

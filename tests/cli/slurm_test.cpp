@@ -74,7 +74,7 @@ class SlurmNightly : public testing::Test {
   }
 
   Folder folder_;
-  std::string cluster_folder_ = folder_ / "cluster", cluster_ = MPMVV_SOURCE_DIR "/tests/cli/slurm_cluster ";
+  std::string cluster_folder_ = folder_ / "cluster", cluster_ = "'" MPMVV_SOURCE_DIR "/tests/cli/slurm_cluster' ";
   std::string in_folder_ = "cd '" + (folder_ / "") + "' && export SLURM_CONF='" + cluster_folder_ + "/slurm.conf' && ";
   bool is_there_ = false;
 };

@@ -13,7 +13,7 @@ TEST(VtuNightly, VtkReadsTheSeriesAndTheErrorIsThatOfTheRecord) {
                           "--ppc 2 --cfl 0.4 --json --vtu '" +
                               (folder / "frames") + "'");
   ASSERT_EQ(run.code, 0) << run.err;
-  const Answer read = shell("/usr/bin/python3 " MPMVV_SOURCE_DIR "/tests/cli/read_vtu.py '" + (folder / "frames") +
+  const Answer read = shell("/usr/bin/python3 '" MPMVV_SOURCE_DIR "/tests/cli/read_vtu.py' '" + (folder / "frames") +
                             "' '" + program() + "' square 2>&1");
   ASSERT_EQ(read.code, 0) << read.out;
   const auto record = run.json(), found = read.json();

@@ -9,8 +9,6 @@ using records::Point;
 using support::not_measured;
 
 using namespace healthy_study;
-using testing::AllOf;
-using testing::HasSubstr;
 
 TEST(Gate, AnOrderIsThatOfItsWindowAndOfAllItsPoints) {
   const auto golden = [](std::vector<double> window, int points) {

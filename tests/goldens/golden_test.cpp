@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::goldens::golden_test {
 
@@ -205,13 +205,11 @@ TEST(Golden, AFileThatExpectsNothingIsAnError) {
 
 class GoldenDirectory : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(directory); }
   void TearDown() override { std::filesystem::remove_all(directory); }
   void write(const std::string& file, const std::string& study) const {
     std::ofstream(directory / file) << "study = \"" << study << "\"\n[[value]]\nname = \"a\"\nat_most = 1\n";
   }
-  const std::filesystem::path directory =
-      std::filesystem::temp_directory_path() / ("mpmvv_golden_test_" + std::to_string(::getpid()));
+  const std::filesystem::path directory = own_folder("golden-test");
 };
 
 TEST_F(GoldenDirectory, ReadsItsTomlFilesByName) {

@@ -1,11 +1,11 @@
 #include "reports/alarm_counts.hpp"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::reports::alarm_counts_test {
 
@@ -13,10 +13,9 @@ using testing::HasSubstr;
 
 class AlarmFiles : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("mpmvv_alarms_" + std::to_string(getpid()));
+  std::filesystem::path folder_ = own_folder("alarms");
 };
 
 TEST_F(AlarmFiles, HoldTheRunsOfEachBuild) {

@@ -17,7 +17,6 @@ namespace mpmvv::reports::chart_test {
 
 using records::Series;
 using records::Status;
-using records::StudyResult;
 
 using testing::ElementsAre;
 using testing::HasSubstr;

@@ -18,7 +18,6 @@
 namespace mpmvv::reports::paper_figure_test {
 
 using read_back::Drawing;
-using read_back::expect_near;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;

@@ -1,5 +1,7 @@
 #include "tests/reports/written_report.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>
 #include <filesystem>

@@ -1,19 +1,17 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "tests/mms/expression/formula_samples.hpp"
+#include "tests/own_folder.hpp"
 
 /// The dialects of languages, by their compilers and interpreter.
 namespace mpmvv::mms::expression::compiled_test {
 
 class Compiled : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& file, const std::string& text) const { std::ofstream(folder_ / file) << text; }
@@ -38,8 +36,7 @@ class Compiled : public testing::Test {
   const std::vector<FormulaSample> samples_ = formula_samples(false);
 
  private:
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("mpmvv-expressions-" + std::to_string(getpid()));
+  const std::filesystem::path folder_ = own_folder("expressions");
 };
 
 /// The seven values of a place, in order.

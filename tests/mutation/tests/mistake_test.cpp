@@ -12,6 +12,7 @@
 #include "tests/mutation/operators.hpp"
 #include "tests/mutation/tests/samples.hpp"
 #include "tests/mutation/unmatched.hpp"
+#include "tests/own_folder.hpp"
 #include "tests/walk.hpp"
 
 namespace mpmvv::mutation::mutant_edit_test {
@@ -22,7 +23,6 @@ using testing::HasSubstr;
 /// A folder of its own for every test, gone at its end.
 class MutantFiles : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
 
   fs::path write(const std::string& text) const {
@@ -40,9 +40,7 @@ class MutantFiles : public testing::Test {
     return "";
   }
 
-  fs::path folder_ = fs::temp_directory_path() /
-                     (std::string("mpmvv_mutants_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-                      std::to_string(getpid()));
+  fs::path folder_ = own_folder("mutants");
 };
 
 constexpr const char* sign = R"(

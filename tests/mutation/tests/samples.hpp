@@ -1,6 +1,4 @@
 #pragma once
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +8,7 @@
 
 #include "studies/store/provenance.hpp"
 #include "tests/mutation/mutant.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::mutation::samples {
 
@@ -76,12 +75,11 @@ inline std::string source(const std::string& file) {
 /// A folder of its own for every test, gone at its end.
 class OwnFolder {
  public:
-  OwnFolder() { std::filesystem::create_directories(path_); }
   ~OwnFolder() { std::filesystem::remove_all(path_); }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() / ("mpmvv_mutation_" + std::to_string(getpid()));
+  std::filesystem::path path_ = own_folder("mutation");
 };
 
 }  // namespace mpmvv::mutation::samples

@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::mutation::scratch_tree_test {
 
@@ -17,7 +17,6 @@ using support::UsageError;
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 class ScratchTrees : public testing::Test {
  protected:
@@ -33,9 +32,7 @@ class ScratchTrees : public testing::Test {
   ScratchTree scratch() const { return ScratchTree(source_, folder_ / "work", {"code", "notes"}); }
   static std::string read(const fs::path& file) { return (std::stringstream() << std::ifstream(file).rdbuf()).str(); }
 
-  fs::path folder_ = fs::temp_directory_path() /
-                     (std::string("mpmvv_scratch_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-                      std::to_string(getpid()));
+  fs::path folder_ = own_folder("scratch");
   fs::path source_ = folder_ / "source";
   const Edit edit_{"code/a.txt", 4, "+", "-"};
 };

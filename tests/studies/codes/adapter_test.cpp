@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::codes::adapter_test {
 
@@ -47,9 +47,7 @@ class AdapterFile : public testing::Test {
     return "";
   }
 
-  const std::filesystem::path top_ = std::filesystem::temp_directory_path() /
-                                     ("mpmvv-adapter-" + std::to_string(getpid())),
-                              folder_ = top_ / "small-mpm";
+  const std::filesystem::path top_ = own_folder("adapter"), folder_ = top_ / "small-mpm";
   std::string text_;
 };
 

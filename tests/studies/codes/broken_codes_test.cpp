@@ -92,13 +92,19 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.name; });
 
 TEST_F(BrokenCode, IsKilledAtTheTimeLimitWithAllThatItStarted) {
-  limit("0.2");
+  limit("1.5");
+  const std::string place = (mover_.top() / "process-").string();
   const auto start = std::chrono::steady_clock::now();
-  const Record record = run("trap '' TERM INT; sleep 60 & setsid sleep 60 & sleep 60; sleep 60");
+  const Record record = run("trap '' TERM INT\n" + Mover::start("", place + "1") + Mover::start("setsid", place + "2") +
+                            "sleep 60; sleep 60");
   EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
   EXPECT_EQ(record.status, Status::failed);
   EXPECT_EQ(record.failure, Failure::of_machine) << "another time the machine may be less busy";
-  EXPECT_THAT(record.reason, HasSubstr("was killed at the time limit of 0.2 s (time_limit of its adapter)"));
+  EXPECT_THAT(record.reason, HasSubstr("was killed at the time limit of 1.5 s (time_limit of its adapter)"));
+  for (const char* number : {"1", "2"}) {
+    EXPECT_TRUE(fs::exists(place + number)) << "not started within the limit";
+    EXPECT_FALSE(Mover::goes_on(place + number)) << number;
+  }
 }
 
 /// Neither those that hold its output open nor those that have left its group.

@@ -65,7 +65,7 @@ TEST(DamagedFiles, SoundOnesAreRead) {
 
 TEST(DamagedFiles, EveryTruncation) {
   for (const auto& [format, content] : sound_files())
-    for (std::size_t size = 0; size < content.size() / 2; ++size) is_read(format, content.substr(0, size));
+    for (std::size_t size = 0; size < content.size(); ++size) is_read(format, content.substr(0, size));
 }
 
 TEST(DamagedFiles, BytesAndNumbersChanged) {

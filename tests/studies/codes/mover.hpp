@@ -1,6 +1,5 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "studies/codes/code.hpp"
 #include "studies/settings/settings.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::codes {
 
@@ -17,7 +17,7 @@ namespace mpmvv::codes {
 /// solves problem `translation`. Runs have their folders in its own.
 class Mover {
  public:
-  Mover() : top_(std::filesystem::temp_directory_path() / ("mpmvv-mover-" + std::to_string(getpid()))) {
+  Mover() {
     std::filesystem::create_directories(folder());
     setenv("TMPDIR", top_.c_str(), 1);
     write("input.mustache", "{{#particles}}\n{{id}} {{x}} {{y}} {{v_x}} {{v_y}} {{m}}\n{{/particles}}\n");
@@ -114,7 +114,7 @@ window = [4, 16]
     return status >> state && state != "Z";
   }
 
-  std::filesystem::path top_;
+  std::filesystem::path top_ = own_folder("mover");
 };
 
 }  // namespace mpmvv::codes

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "studies/codes/external_run.hpp"
 #include "studies/codes/file_order.hpp"
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 #include "tests/studies/codes/mover.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
@@ -65,10 +65,7 @@ TEST(LastByName, RefusesWhatHasTwoReadings) {
 /// What a code left in a folder, read by an adapter.
 class OutputFilesOfARun : public testing::Test {
  protected:
-  OutputFilesOfARun() {
-    fs::create_directories(folder);
-    code.adapter.output.end = "p_*.csv";
-  }
+  OutputFilesOfARun() { code.adapter.output.end = "p_*.csv"; }
   ~OutputFilesOfARun() override { fs::remove_all(folder); }
 
   void write(const std::string& name, const std::string& content) const { std::ofstream(folder / name) << content; }
@@ -96,7 +93,7 @@ class OutputFilesOfARun : public testing::Test {
 
   const cases::Case c = written_run::square();
   const double end_time = static_cast<double>(c.resolution.steps) * c.resolution.dt;
-  const fs::path folder = fs::temp_directory_path() / fmt::format("mpmvv-{}-output-files", ::getpid());
+  const fs::path folder = own_folder("output-files");
   Code code;
 };
 

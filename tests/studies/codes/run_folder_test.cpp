@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::codes::run_folder_test {
 
@@ -20,10 +21,7 @@ namespace fs = std::filesystem;
 
 class RunFolders : public testing::Test {
  protected:
-  RunFolders() {
-    fs::create_directories(top_);
-    setenv("TMPDIR", top_.c_str(), 1);
-  }
+  RunFolders() { setenv("TMPDIR", top_.c_str(), 1); }
   ~RunFolders() override {
     setenv("TMPDIR", top_.parent_path().c_str(), 1);
     fs::remove_all(top_);
@@ -42,7 +40,7 @@ class RunFolders : public testing::Test {
     return true;
   }
 
-  const fs::path top_ = fs::temp_directory_path() / ("mpmvv-run-folders-" + std::to_string(getpid()));
+  const fs::path top_ = own_folder("run-folders");
 
  private:
   fs::path foreign(const std::string& what, int k) const {

@@ -13,7 +13,6 @@
 
 namespace mpmvv::codes::solution_points_test {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;

@@ -10,7 +10,6 @@
 namespace mpmvv::stresses_test {
 
 using codes::Snapshot;
-using codes::Tensor;
 using records::Record;
 using records::Status;
 using testing::AllOf;

@@ -1,6 +1,5 @@
 #include "tests/studies/codes/written_run.hpp"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <bit>

@@ -80,7 +80,10 @@ TEST_F(StudyRunner, AskedToStopItSaysWhatIsKept) {
   };
   RunnerOptions options;
   options.jobs = 2;
-  options.progress = [&](const Progress&) { ++finished; };
+  options.progress = [&](const Progress&) {  // nothing is over before the user has seen three cases
+    if (++finished < 3) return;
+    while (!source.stop_requested()) std::this_thread::yield();
+  };
   options.stop = source.get_token();
   options.on_stop = [&](const RunnerCounts& counts) { ++stops, told = counts.ran, kept = records_in_the_store(); };
   const std::jthread user([&] {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +13,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::store::provenance_test {
 
@@ -115,7 +116,7 @@ class BuildInfo : public testing::Test {
 
   static void run(const std::string& command) { ASSERT_EQ(std::system(command.c_str()), 0) << command; }
 
-  fs::path root_ = fs::temp_directory_path() / fmt::format("mpmvv_build_info_{}", getpid());
+  fs::path root_ = own_folder("build-info");
   fs::path source_ = root_ / "source";
 };
 

@@ -16,10 +16,8 @@ using Mode = Store::Mode;
 using records::Failure;
 using records::Record;
 using records::Status;
-using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Pair;
 using Paths = std::vector<std::filesystem::path>;
 
 class StoreMerge : public StoreTest {

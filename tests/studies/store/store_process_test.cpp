@@ -15,7 +15,6 @@ namespace mpmvv::store::store_process_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Runs a function in a process of its own, whose exit status is what it returns; an exception is 99.
@@ -56,10 +55,7 @@ int expect_complaint(const std::function<void()>& action, const std::string& tex
 
 class StoreProcesses : public StoreTest {
  protected:
-  void SetUp() override {
-    StoreTest::SetUp();
-    std::filesystem::permissions(folder_, std::filesystem::perms::all);
-  }
+  void SetUp() override { std::filesystem::permissions(folder_, std::filesystem::perms::all); }
   void TearDown() override {
     std::filesystem::permissions(folder_, std::filesystem::perms::all);
     StoreTest::TearDown();

@@ -1,7 +1,6 @@
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,18 +10,16 @@
 
 #include "studies/store/store.hpp"
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::store::store_samples {
 
 /// A folder of its own for every test, gone at its end.
 class StoreTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      fmt::format("mpmvv_store_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), getpid());
+  std::filesystem::path folder_ = own_folder("store");
   std::filesystem::path file_ = folder_ / "results.db";
 };
 

@@ -18,7 +18,6 @@ using records::StudyResult;
 using namespace store_samples;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 /// A study with a row in every table.
 StudyResult full_study() {
@@ -46,7 +45,6 @@ StudyResult full_study() {
 class SealedStore : public StoreTest {
  protected:
   void SetUp() override {
-    StoreTest::SetUp();
     Store store(file_, Store::Mode::create_or_write);
     records::Record failed = record(16);
     failed.status = records::Status::failed;

@@ -176,7 +176,6 @@ const std::vector<std::vector<cases::Case>> cases_of_everything{{bar(8), bar(16)
 class StoredStudyTest : public StoreTest {
  protected:
   void SetUp() override {
-    StoreTest::SetUp();
     store_.emplace(file_, Store::Mode::create_or_write);
     store_->keep(record(8), provenance());
     store_->keep(unstable(16), provenance());

@@ -16,11 +16,8 @@ using records::Record;
 using records::Status;
 
 using namespace store_samples;
-using testing::Contains;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Pair;
 using testing::SizeIs;
 
 std::string describe(const Record& r) {

@@ -66,10 +66,7 @@ void keep_by(Store& store, const std::string& version, const std::string& digest
 
 class CodeVersions : public StoreTest {
  protected:
-  void SetUp() override {
-    StoreTest::SetUp();
-    store_.emplace(file_, Store::Mode::create_or_write);
-  }
+  void SetUp() override { store_.emplace(file_, Store::Mode::create_or_write); }
   double order_of(const Version& version) const {
     return store_->studies_of_code("my-code", version).at(0).series.at(0).orders.at(0).order;
   }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::support::file_test {
 
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 class File : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(folder / "folder");
+    fs::create_directory(folder / "folder");
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     fs::create_symlink("/dev/full", folder / "full");
     fs::create_symlink("/dev/null", folder / "null");
@@ -34,7 +35,7 @@ class File : public testing::Test {
     return "none";
   }
 
-  const fs::path folder = fs::temp_directory_path() / ("mpmvv_file_test_" + std::to_string(getpid()));
+  const fs::path folder = own_folder("file-test");
 };
 
 TEST_F(File, IsRequiredToBeOneAndNothingElse) {

@@ -1,11 +1,12 @@
 #include "studies/support/memory.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::support::memory_test {
 
@@ -20,7 +21,7 @@ class Memory : public testing::Test {
     std::ofstream(folder_ / file) << text;
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("mpmvv_memory_test_" + std::to_string(getpid()));
+  const fs::path folder_ = own_folder("memory-test");
 };
 
 TEST_F(Memory, IsWhatTheSystemHasAvailable) {

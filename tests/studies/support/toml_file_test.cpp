@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "studies/support/error.hpp"
+#include "tests/own_folder.hpp"
 
 namespace mpmvv::support::toml_file_test {
 
@@ -161,10 +161,8 @@ TEST(TomlFile, WhatIsOnlyLongIsRead) {
 
 class TomlFileOnDisk : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(directory); }
   void TearDown() override { std::filesystem::remove_all(directory); }
-  const std::filesystem::path directory =
-      std::filesystem::temp_directory_path() / ("mpmvv_toml_file_test_" + std::to_string(::getpid()));
+  const std::filesystem::path directory = own_folder("toml-file-test");
 };
 
 TEST_F(TomlFileOnDisk, ReadsAFileAndNamesItInMessages) {
