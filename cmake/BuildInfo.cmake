@@ -9,7 +9,7 @@ string(STRIP "${FLAGS}" FLAGS)
 
 # The folders whose sources decide a result: solutions and solver; what a case is, of which problem and by which
 # settings; what carries it out and measures it, our solver or another code; and the checks. From the other folders
-# these use only what keeps and words things, and the median of repeated costs (studies/fits/median.hpp).
+# these use only what keeps and words things, and the mean of repeated costs (studies/fits/paired_rounds.hpp).
 set(sources "")
 foreach(folder mms solver studies/cases studies/checks studies/codes studies/problems studies/runs studies/settings)
   file(GLOB_RECURSE more RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${folder}/*.?pp")

@@ -167,8 +167,8 @@ const std::vector<SettingKey>& setting_keys() {
       {"dt", "time step in s; must divide the end time", by_rule(&Resolution::dt), KeyOf::every,
        Absent{"this or --cfl is required", "`cfl` counts"}},
       {"end_time", "in s", {}, KeyOf::every, the_problems},
-      {"steps", "end after so many steps of the default end time's step, before it or beyond",
-       by_rule(&Resolution::steps), KeyOf::every, Absent{"", "all"}},
+      {"steps", "number of steps, each as long as on the way to the default end time", by_rule(&Resolution::steps),
+       KeyOf::every, Absent{"", "all"}},
       {"every_step", "errors over all steps, too", flag(&Measure::every_step)},
       {"nodal_error", "error of the nodal accelerations at the end, too", flag(&Measure::nodal_error)},
       {"velocity_error", "mean over all steps of the RMS velocity error, too", flag(&Measure::velocity_error)},
@@ -180,7 +180,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"blowup_energy", "unstable beyond this energy, in initial energies",
        read_by(&parse_number, &Measure::blowup_energy)},
       {"whole", "all of a body, not the part of which images make it", flag(&Measure::whole)},
-      {"repeat", "time the steps so often (3 or more), alone and by turns, and keep the mean cost",
+      {"repeat", "time the steps so often (3 to 99), alone and by turns, and keep the mean cost",
        read_by(whole_from(3, 99), &Measure::repeat), KeyOf::every, Absent{"", "not measured"}},
   };
   return keys;

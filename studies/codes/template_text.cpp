@@ -149,7 +149,8 @@ std::string hint(const std::string& name, const TemplateFields& fields) {
   if (const std::string face = face_in(name); is_motion_of(face, name))
     return fmt::format(
         "the face has no wall whose motion is known here: between {{{{#{0}_is_wall}}}} and {{{{/{0}_is_wall}}}}", face);
-  return "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]";
+  return "docs/adapters.md lists them and says where they may stand, beside those of the adapter's [fields] and "
+         "[variants]";
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
       provenance_(store::current_provenance()),
       costs_(&store),
       admission_(options.jobs, usable_memory()),
-      on_stop_(options.stop, [this] { with_store([this] { options_.on_stop(counts_); }); }) {}
+      on_stop_(options.stop, [this] {
+        if (options_.on_stop) with_store([this] { options_.on_stop(counts_); });
+      }) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(missing(cases));
