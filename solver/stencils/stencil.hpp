@@ -193,7 +193,7 @@ struct Stencil : Weights<D, K> {
   }
   template <int begin>
   [[gnu::always_inline]] void scatter_part(const ValueAndGradient<D>& source, Padded<D>* nodes) const {
-    constexpr int n = D == 2 && K == 3 ? 1 : nodes_from<begin>;  // a read of two straddles what a neighbour wrote
+    constexpr int n = D == 2 && K == 3 ? 1 : nodes_from<begin>;  // two would straddle what the last particle wrote
     const auto weight = along_line<n, C>(N[0] + begin), slope = along_line<n, C>(dN[0] + begin);
     LineSums<n> lines{weight * on_each_node<n>(source.value), {}};
     lines.value += slope * on_each_node<n>(Padded<D>(source.gradient.col(0)));
