@@ -40,11 +40,11 @@ class Slabs {
   }
 
   /// Makes as many slabs as their least thickness allows, `at_most` so many, and at least one. Particles may stray two
-  /// cells where `enough` slabs are left then: sorting half as often saves 3 % of a step in the plane. Else slabs are
-  /// so few that their number limits how many threads have work, and it is one cell.
+  /// cells where thicker slabs are still as many as there ever are: sorting half as often saves 3 % of a step in the
+  /// plane. Elsewhere it is one cell, as fewer slabs would leave threads without work.
   template <class B>
   Slabs(const Grid<D>& grid, const B&, std::size_t at_most = most)
-      : stray_(static_cast<std::size_t>(grid.cells()[D - 1]) >= enough * (least_thickness<B>(2) + 1) ? 2 : 1),
+      : stray_(static_cast<std::size_t>(grid.cells()[D - 1]) >= most * (least_thickness<B>(2) + 1) ? 2 : 1),
         least_thickness_(least_thickness<B>(stray_)),
         count_(std::clamp(static_cast<std::size_t>(grid.cells()[D - 1]) / (least_thickness_ + 1), std::size_t{1},
                           std::clamp(at_most, std::size_t{1}, most))),
@@ -93,8 +93,6 @@ class Slabs {
   }
 
  private:
-  static constexpr std::size_t enough = 12;
-
   std::size_t count_of_bins() const {
     std::size_t bins = 1;
     for (const int along_axis : bins_) bins *= static_cast<std::size_t>(along_axis);
