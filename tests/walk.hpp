@@ -15,10 +15,10 @@ inline std::string text_of_file(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// What people read of a tree: its pages at the top, and those in docs/.
+/// What people read of a tree: its pages at the top, and those in docs/ and docs/other-codes/.
 inline std::vector<std::filesystem::path> pages_of(const std::filesystem::path& tree) {
   std::vector<std::filesystem::path> pages;
-  for (const auto& folder : {tree, tree / "docs"})
+  for (const auto& folder : {tree, tree / "docs", tree / "docs/other-codes"})
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.path().extension() == ".md") pages.push_back(entry.path());
   return pages;

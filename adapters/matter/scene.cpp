@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "objects/object_plate.hpp"
@@ -18,19 +19,24 @@ struct Scene {
   std::vector<TV> x, v;
 };
 
+template <class... Values>
+void read(std::istream& file, Values&... values) {
+  if (!(file >> ... >> values)) throw std::runtime_error("the scene ends early, or has another word for a number");
+}
+
 /// Lines `name value`, then `particles count` and a line with x, y, vx and vy for each.
 Scene read_scene(std::istream& file) {
   Scene scene;
   for (std::string name; file >> name;) {
     if (name != "particles") {
-      file >> scene.number[name];
+      read(file, scene.number[name]);
       continue;
     }
     std::size_t count = 0;
-    file >> count;
+    read(file, count);
     for (std::size_t p = 0; p < count; ++p) {
       TV x, v;
-      file >> x(0) >> x(1) >> v(0) >> v(1);
+      read(file, x(0), x(1), v(0), v(1));
       scene.x.push_back(x);
       scene.v.push_back(v);
     }

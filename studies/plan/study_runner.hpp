@@ -17,7 +17,7 @@ struct RunnerCounts {
   std::size_t ran = 0, reused = 0;
 };
 
-/// The functions are called by one thread at a time.
+/// The functions are called by one thread at a time, while others wait that finish a case: they should be quick.
 struct RunnerOptions {
   int jobs = 1;                                           ///< cases at once
   std::function<void(const Progress&)> progress = {};     ///< told of every case that has finished
