@@ -54,6 +54,7 @@ CheckResult check_shock_profiles();
 CheckResult check_shock_grids();
 CheckResult check_pulse_profiles();
 CheckResult check_elongation();
+CheckResult check_impact_work();
 CheckResult check_wall_spectra();
 
 }  // namespace mpmvv::checks

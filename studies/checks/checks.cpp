@@ -29,6 +29,7 @@ const std::vector<Check>& checks() {
       {"shock-grids", "cells", &check_shock_grids},
       {"pulse-profiles", "x", &check_pulse_profiles},
       {"elongation", "elongation", &check_elongation},
+      {"impact-work", "cells", &check_impact_work},
       {"wall-spectra", "order", &check_wall_spectra},
   };
   return all;
