@@ -35,8 +35,8 @@ void add_theory(const mms::Hugoniot& shock, CheckResult& result) {
 CheckResult check_shock_profiles() {
   constexpr profiles::ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
                                                {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},
-                                               {"FMPM(4)", "fmpm", "4", true}, {"FLIP", "flip", "", false},
-                                               {"FMPM(4)", "fmpm", "4", false}};
+                                               {"FMPM(4)", "fmpm", "4", true}, {"FMPM(8)", "fmpm", "8", true},
+                                               {"FLIP", "flip", "", false},    {"FMPM(4)", "fmpm", "4", false}};
   const mms::Hugoniot shock = profiles::theoretical_shock();
   CheckResult result;
   add_theory(shock, result);
