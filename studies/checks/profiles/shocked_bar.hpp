@@ -9,12 +9,16 @@
 
 namespace mpmvv::checks::profiles {
 
-/// A velocity update of N Fig. 8, with or without artificial viscosity.
+/// A velocity update of N Fig. 8, with or without artificial viscosity, and with N's walls or with held nodes
+/// eliminated.
 struct ShockMethod {
   const char *name, *update, *order;
   bool viscous;
+  bool eliminates = false;
 
-  std::string label() const { return std::string(name) + (viscous ? "" : ", no artificial viscosity"); }
+  std::string label() const {
+    return std::string(name) + (viscous ? "" : ", no artificial viscosity") + (eliminates ? ", elimination" : "");
+  }
 
   /// Returns the settings of a run with `cells` cells per 2.5 mm and the end time in s.
   std::vector<settings::Setting> settings(int cells, const char* end_time) const {
@@ -33,6 +37,7 @@ struct ShockMethod {
       all.push_back({"order", order, ""});
     else
       all.push_back({"position", "second-order", ""});
+    if (eliminates) all.push_back({"wall_method", "elimination", ""});
     if (!viscous)
       for (const char* key : {"param.linear_viscosity", "param.quadratic_viscosity"}) all.push_back({key, "0", ""});
     return all;
