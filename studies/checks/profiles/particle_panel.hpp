@@ -15,7 +15,9 @@ template <int D>
 class MovingBody {
  public:
   explicit MovingBody(const std::vector<settings::Setting>& settings, solver::Images images = solver::Images::none)
-      : case_(settings::make_case(settings)),
+      : MovingBody(settings::make_case(settings), images) {}
+  MovingBody(const cases::Case& c, solver::Images images)
+      : case_(c),
         stage_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1, images)),
         mpm_(std::move(stage_.scene)) {}
 
