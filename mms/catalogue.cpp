@@ -51,8 +51,6 @@ std::string radial_objection(const Values& values) {
   return "amplitude " + text(amplitude) + " makes det F negative (below " + short_text(most) + " between these radii)";
 }
 
-constexpr double pulse_length = 0.2;  // m
-
 std::string pulse_objection(const Values& values) {
   const double c = std::sqrt(values.at("youngs_modulus") / values.at("density"));
   if (1.5 * values.at("duration") * c < pulse_length) return "";
@@ -97,8 +95,8 @@ std::shared_ptr<ManufacturedSolution<2>> pulse(const Values& values) {
                                  values.at("density"));
 }
 
-/// In a periodic square of unit length no displacement is off by more than 0.71 m: of interest is a quarter of the
-/// length.
+/// Its displacement scale is a quarter of the square's length, and not the way that it goes: in a periodic square of
+/// unit length no displacement errs by more than 0.71 m, half of the diagonal.
 std::shared_ptr<ManufacturedSolution<2>> translation(const Values& values) {
   return std::make_shared<Translation<2>>(Vec<2>(values.at("velocity_x"), values.at("velocity_y")), 0.25);
 }

@@ -22,7 +22,8 @@ T determinant(const Matrix<T, 3>& F) {
          F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
 }
 
-/// The stored energy whose derivative is S (45), W (54): W = λ/2 (ln J)² - μ ln J + μ/2 (F:F - D).
+/// The stored energy of S (46), W (55): W = λ/2 (ln J)² - μ ln J + μ/2 (F:F - D). Its derivative P_iJ = ∂W/∂F_iJ is the
+/// transpose of S (45) and W (54), which print the nominal stress (docs/misprints.md, M6).
 struct NeoHookeanLogEnergy {
   double lambda, mu;
 

@@ -16,6 +16,9 @@ struct Triangle {
   }
 };
 
+/// The bar of N §3.3 is 198 mm long. This is a whole number of cells at every resolution, m.
+inline constexpr double pulse_length = 0.2;
+
 /// A linear elastic bar with ν = 0 that begins at X = 0, where a triangular pulse of tension pulls it, N §3.3. Until
 /// the wave meets the other end the motion is d'Alembert's solution, with q = (t - X/c)/duration:
 ///   P_xx = σ tri(q),   F_xx = 1 + P_xx/E,   u_x = -σ c/E duration ∫₀^q tri,   v_x = -c/E P_xx,   b = 0.

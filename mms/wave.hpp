@@ -11,11 +11,11 @@ namespace mpmvv::mms {
 /// A standing wave along x in the unit square that starts undeformed and needs no body force. For small-strain
 /// elasticity, P = λ tr ε I + 2G ε,
 ///   u_x = A sin πX sin ωt,   ω = π c,   ρ₀ c² = λ + 2G,   b = 0.
-/// A law of finite strain has ∂P/∂F = (λ + 2G)(1 + 2βε) along x. This excites the second harmonic q sin 2πX in
+/// A law of finite strain has ∂P/∂F = (λ + 2G)(1 - 2βε) along x. This excites the second harmonic q sin 2πX in
 /// resonance, to leading order
-///   q'' + 4ω² q = -β A² π³ c² (1 - cos 2ωt)/2,   q = -β A² π/8 (1 - cos 2ωt - π c t sin 2ωt).
+///   q'' + 4ω² q = β A² π³ c² (1 - cos 2ωt)/2,   q = β A² π/8 (1 - cos 2ωt - π c t sin 2ωt).
 /// At whole multiples of 1/c this q is zero, and the difference is of the third order in A (`nonlinear_error`). For
-/// S (46), where P = (λ ln F + μ(F² - 1))/F, 2β = -(3λ + 2G)/(λ + 2G). The order of a code with such a law cannot be
+/// S (46), where P = (λ ln F + μ(F² - 1))/F, 2β = (3λ + 2G)/(λ + 2G). The order of a code with such a law cannot be
 /// told from errors near this difference.
 class Wave final : public ManufacturedSolution<2> {
  public:

@@ -45,7 +45,7 @@ struct HugePages {
 template <class T>
 using Array = std::vector<T, HugePages<T>>;
 
-/// Has a value that is soon read and written brought near the core, and does not wait for it.
+/// Asks for a value that is soon read and written to be brought into the cache, and does not wait for it.
 template <class T>
 [[gnu::always_inline]] inline void prefetch(const T& value) {
   constexpr std::size_t cache_line = 64;

@@ -6,8 +6,9 @@
 
 namespace mpmvv::solver {
 
-/// The acceleration b due to body forces, which the caller of the solver supplies. The solver asks for it by blocks of
-/// particles or by nodes, possibly from several threads at once, and for some particles more than once in a step.
+/// The acceleration b due to body forces, m/s², which the caller of the solver supplies. The solver asks for it by
+/// blocks of particles or by nodes, possibly from several threads at once, and for some particles more than once in a
+/// step.
 template <int D>
 class BodyForce {
  public:
@@ -21,7 +22,9 @@ class BodyForce {
   virtual void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>> X,
                             Vec<D>* b) const = 0;
 
-  /// Returns b at time t at the current position x. Used where the scene takes the body force on the grid.
+  /// Returns b at time t at the current position x. Used where the scene takes the body force on the grid, for each
+  /// node with enough mass, ghosts included: so x may lie beyond a face of the domain. Along a periodic axis b must
+  /// have the period of the domain, and at a mirror it must be its own mirror image.
   virtual Vec<D> at_position(const Vec<D>& x, double t) const = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <climits>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 #include "solver/array.hpp"
@@ -60,11 +61,10 @@ class Grid {
   template <class Visit>
   void for_plane(int axis, int i, int partner, const Visit& visit) const {
     const int step = stride_[axis];
-    const int planes = nodes(axis);
-    const int total = static_cast<int>(size());
+    const std::int64_t total = static_cast<std::int64_t>(size()), planes = nodes(axis);
     const int offset = (partner - i) * step;
-    for (int outer = (i + ghost_) * step; outer < total; outer += planes * step)
-      for (int n = outer; n < outer + step; ++n) visit(n, n + offset);
+    for (std::int64_t outer = (i + ghost_) * step; outer < total; outer += planes * step)
+      for (int n = static_cast<int>(outer), end = n + step; n < end; ++n) visit(n, n + offset);
   }
 
   /// Calls visit(n) for every node n whose index along `axis` is i.
@@ -75,10 +75,10 @@ class Grid {
 
   double m(std::size_t n) const { return p[n][D]; }  ///< mass
 
-  Array<Padded<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
-  Array<Padded<D>> f;      ///< force
-  Array<Padded<D>> v;      ///< velocity
-  Array<Padded<D>> a;      ///< acceleration
+  Array<Padded<D + 1>> p;  ///< momentum, kg m/s, and in component D the mass, kg: they are mapped together
+  Array<Padded<D>> f;      ///< force, N
+  Array<Padded<D>> v;      ///< velocity, m/s
+  Array<Padded<D>> a;      ///< acceleration, m/s²
 
  private:
   Vec<D> lower_;

@@ -1,6 +1,7 @@
 #include "solver/mpm.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -26,6 +27,7 @@ bool Mpm<D>::step(double dt) {
 
 template <int D>
 std::int64_t Mpm<D>::advance(double dt, std::int64_t steps) {
+  if (!(dt > 0 && std::isfinite(dt))) throw std::invalid_argument("a time step that is not above 0");
   return step_->advance(dt, steps);
 }
 

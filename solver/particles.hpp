@@ -21,17 +21,17 @@ struct Motion {
 template <int D>
 struct Particles {
   Array<std::uint32_t> id;  ///< position in the order of creation; survives sorting
-  Array<Vec<D>> x;          ///< position
-  Array<Vec<D>> v;          ///< velocity
+  Array<Vec<D>> x;          ///< position, m
+  Array<Vec<D>> v;          ///< velocity, m/s
   Array<Mat<D>> F;          ///< deformation gradient
-  Array<double> m;          ///< mass
-  Array<double> V0;         ///< reference volume
+  Array<double> m;          ///< mass, kg
+  Array<double> V0;         ///< reference volume, m³
   Array<Vec<D>> l;          ///< width in units of h, for bases that take one
   Array<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
   Array<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
   Array<Mat<D>> R0;         ///< reference edges in units of h, where the domain follows the deformation
 
-  Array<Vec<D>> X;  ///< reference position, for body forces that read it
+  Array<Vec<D>> X;  ///< reference position, m, for body forces that read it
 
   Array<Mat<D>> C;  ///< gradient of the affine velocity field, 1/s, for `apic`
 
@@ -46,7 +46,8 @@ struct Particles {
 
   std::size_t size() const { return x.size(); }
 
-  /// Resizes the fields that every scheme has (id, x, v, F, m, V0) and numbers the particles in `id`.
+  /// Resizes the fields that every scheme has (id, x, v, F, m, V0) and numbers the particles in `id`. Those of new
+  /// particles are to be set: Eigen leaves their x, v and F without a defined value.
   void resize(std::size_t n) {
     id.resize(n), x.resize(n), v.resize(n), F.resize(n), m.resize(n), V0.resize(n);
     std::iota(id.begin(), id.end(), 0U);

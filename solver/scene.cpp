@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <variant>
+#include <vector>
 
 #include "solver/integrator/integrators.hpp"
 #include "solver/velocity_update/affine.hpp"
@@ -65,22 +66,56 @@ void require_faces(const Scene<D>& scene) {
     if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
 }
 
+/// Requires that each particle has an entry in every field that the scheme reads.
 template <int D>
-void require_particles(const Scene<D>& scene) {
+void require_fields(const Scene<D>& scene) {
   const Particles<D>& particles = scene.particles;
+  const std::size_t n = particles.size();
+  for (const std::size_t size : {particles.id.size(), particles.v.size(), particles.F.size(), particles.m.size(),
+                                 particles.V0.size(), particles.X.empty() ? n : particles.X.size()})
+    require(size == n, "particles whose fields have different lengths");
   const ParticleWidth width = width_of(scene.basis);
-  const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
-  require(particles.size() > 0, "a scene without particles");
-  require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
-  require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
+  const bool is_reference = width == ParticleWidth::reference, is_current = width == ParticleWidth::current;
+  require(!(is_reference || is_current) || particles.l.size() == n,
+          "particles without the widths that the basis takes");
+  require(!is_current || particles.l0.size() == n, "particles without the widths at rest that the basis takes");
+  require(!is_reference || particles.l0.empty(), "widths that follow F with a basis whose widths do not");
+  require(width != ParticleWidth::domain || (particles.R.size() == n && particles.R0.size() == n),
           "particles without the domains that the basis takes");
 }
 
-/// Requires that a basis and a velocity update have numbers that they can take.
+/// Requires masses and volumes, ids that no two particles share, and a surface load on particles that are there. What
+/// can go wrong with the fields that a step advances is a `Fault`.
+template <int D>
+void require_particles(const Scene<D>& scene) {
+  const Particles<D>& particles = scene.particles;
+  require(particles.size() > 0, "a scene without particles");
+  require_fields(scene);
+  const auto is_amount = [](double amount) { return amount > 0 && std::isfinite(amount); };
+  require(std::ranges::all_of(particles.m, is_amount), "a particle without a mass");
+  require(std::ranges::all_of(particles.V0, is_amount), "a particle without a volume");
+  std::vector<bool> is_there(particles.size());
+  for (const std::uint32_t id : particles.id) {
+    require(id < is_there.size() && !is_there[id], "particles whose ids are not 0, 1, ... in some order");
+    is_there[id] = true;
+  }
+  if (!scene.surface_load) return;
+  for (const auto& part : scene.surface_load->parts())
+    require(part.particle < is_there.size(), "a load on the surface of a particle that is not there");
+}
+
+/// Requires that the parts of a scheme have numbers that they can take.
 template <int D>
 void require_numbers(const Scene<D>& scene) {
   if (const auto* gimp = std::get_if<UGimp>(&scene.basis))
     require(gimp->smoothing_length > 0 && gimp->smoothing_length <= 1, "a smoothing length that is not in (0, 1]");
+  const double cutoff = scene.mass_cutoff.value_or(0);
+  require(cutoff >= 0 && cutoff < 1, "a mass cutoff that is not in [0, 1)");
+  if (const auto& mass = scene.consistent_mass) {
+    require(mass->lumped_share >= 1e-12 && mass->lumped_share <= 1, "a lumped share that is not in [1e-12, 1]");
+    require(mass->tolerance >= 1e-14 && mass->tolerance < 1, "a tolerance that is not in [1e-14, 1)");
+    require(mass->covered >= 0 && mass->covered <= 1, "a fraction of covered mass that is not in [0, 1]");
+  }
   std::visit(
       [&](const auto& update) {
         if constexpr (requires { update.order; })
@@ -100,7 +135,14 @@ void require_scheme(const Scene<D>& scene) {
   const bool has_wall = std::ranges::any_of(
       scene.boundary, [](const AnyBoundary& boundary) { return std::holds_alternative<Wall>(boundary); });
   require(!keeps_history || !integrator.is_staged, "a material with a history in stages");
-  require(!has_wall || !integrator.is_staged, "a moving wall in stages");
+  require(integrator.has_whole_steps() || !needs_whole_steps(update),
+          "a velocity update other than flip, first order, with an integrator whose steps are staggered or staged");
+  require(!integrator.is_staged || (scene.deformation == Deformation::linear && !scene.half_start),
+          "exponential deformation or a half start in stages");
+  require(!has_wall || integrator.has_whole_steps(),
+          "a moving wall with an integrator whose steps are staggered or staged");
+  require(!has_wall || !scene.consistent_mass || !adds_accelerations(update),
+          "a moving wall with the consistent mass and a velocity update that adds accelerations");
   require(has_affine || !has_affine_field(update), "an affine velocity field on a basis without the weights for it");
   require(!scene.consistent_mass || takes_consistent_mass(update),
           "the consistent mass with a velocity update that lumped masses define");
@@ -115,6 +157,7 @@ void require_scheme(const Scene<D>& scene) {
 template <int D>
 void require_sound(const Scene<D>& scene) {
   require(scene.h > 0 && std::isfinite(scene.h), "cells without a width");
+  require(scene.lower.allFinite(), "a domain without a lower corner");
   for (const int cells : scene.cells) require(cells > 0, "an axis without cells");
   require(scene.threads > 0, "a scene without threads");
   require(scene.least_in_slab > 0, "a scene with slabs without particles");

@@ -22,19 +22,21 @@ enum class BodyForceOn {
   grid        ///< f_i = m_i b(x_i)
 };
 
-/// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4.
+/// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4. `Step::holds_lumped` and
+/// `Step::hold_expanded` (step_grid.hpp) decide by it.
 enum class WallMethod {
-  velocity,    ///< those that come out of the expansion
-  lumped,      ///< the lumped ones that the expansion starts from
+  velocity,    ///< the expanded ones alone
+  lumped,      ///< the lumped ones alone, from which the expansion starts
   combined,    ///< both
-  elimination  ///< both, and every term between: the expansion is that of the matrix without the nodes held
+  elimination  ///< both, and no term of the expansion adds to held nodes: it expands on the free nodes alone
 };
 
-/// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
+/// Everything a run is made from, in SI units. In one and two dimensions masses, volumes, forces and energies are per
+/// m² and per m of the missing directions. Faces are ordered xmin, xmax, ymin, ...
 template <int D>
 struct Scene {
-  Vec<D> lower = Vec<D>::Zero();
-  double h = 1;
+  Vec<D> lower = Vec<D>::Zero();  ///< lower corner of the domain, m
+  double h = 1;                   ///< cell width, m
   Index<D> cells{};
   Particles<D> particles;
   AnyBasis basis;

@@ -28,7 +28,8 @@ class ExpandedInverse;
 struct Integrator;
 
 /// The operations with which the page of an integrator is written: sweeps over the particles and operations on the
-/// grid, each of them one equation or a few. Users of the solver take `Mpm` (mpm.hpp).
+/// grid, each of them one equation or a few. Users of the solver take `Mpm` (mpm.hpp). Its operations are defined in
+/// step.cpp, and in step_grid.hpp (on nodes) and step_sweeps.hpp (on particles), which step.cpp includes.
 ///
 /// Positions and widths change only in the last sweep of a step, or of each stage of a step. All that is mapped before
 /// uses the weights at the start of the step or stage.
@@ -73,7 +74,7 @@ class Step {
   // On the grid. With the consistent mass, M̂⁻¹ takes the place of 1/m_i. Where velocities are expanded afterwards and
   // the wall method is `velocity`, v_i and a_i are not constrained here.
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
-  void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.2
+  void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.3, task 5
   void restore_velocity();           ///< v_i = p_i / m_i again, where the stress took another v_i: `fmpm`, walls
   void set_acceleration();           ///< a_i = f_i / m_i, constrained unless S (30) will set it   S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
@@ -131,7 +132,7 @@ class Step {
   // For velocity updates.
   void expand_velocity();                ///< v_i by the expanded inverse, on steps on which the update expands it
   void expand_inverse(Field& velocity);  ///< expands lumped velocities, on free nodes alone with `elimination`
-  void hold_expanded(Field& velocity);   ///< holds expanded velocities at faces, unless the wall method is `lumped`
+  void hold_expanded(Field& velocity);   ///< holds expanded ones at faces and walls, unless the wall method is `lumped`
 
  private:
   void make_room();

@@ -124,9 +124,10 @@ void Step<D>::set_stress_velocity() {
   for (auto& wall : walls_) wall.hold_as_advanced();
 }
 
-/// With the consistent mass v has been solved for with walls at their velocity of t^n. On free nodes v⁺ = v + Δt a
-/// takes what walls at that of t^n + Δt make of them, because a is solved for with zero on held nodes. Lumped
-/// velocities of free nodes do not depend on those of held ones.
+/// Makes v_i = p_i / m_i again where F followed another v_i. There are two cases. With `fmpm` v was expanded for F.
+/// With the consistent mass and a wall that accelerates, v of free nodes depends on the velocity that the wall holds: F
+/// followed a v solved for with that of t^n, but v⁺ = v + Δt a needs one solved for with that of t^n + Δt, because a is
+/// solved for with zero on held nodes. With the lumped mass v of free nodes does not depend on held ones.
 template <int D>
 void Step<D>::restore_velocity() {
   const bool is_solved_anew =

@@ -22,8 +22,8 @@ void Step<D>::check() {
   note(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, {}));
 }
 
-/// Makes a visit with the sweep that waits, which then waits no longer. That holds if a body force throws, too: the
-/// sweep would move particles a second time.
+/// Makes the sweep that waits, by visit(its kernels), and returns what `visit` returns. After that no sweep waits, even
+/// if a body force has thrown: made again, the sweep would move particles a second time.
 template <int D>
 auto Step<D>::end_waiting(const auto& visit) {
   struct Clear {

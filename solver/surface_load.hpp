@@ -16,7 +16,7 @@ class SurfaceLoad {
   };
 
   virtual ~SurfaceLoad() = default;
-  virtual std::span<const Part> parts() const = 0;
+  virtual std::span<const Part> parts() const = 0;     ///< the same in every call
   virtual void forces(double t, Vec<D>* f) const = 0;  ///< writes the force on each part, N
 };
 

@@ -16,9 +16,10 @@ enum class WallGradient {
   estimated  ///< from the particles, N (4)
 };
 
-/// A face from which a wall moves through the grid, N §2.5. The nodes held change with time, so a MovingWall holds
-/// them, and the face itself holds nothing. Which velocities faces and walls hold where some are expanded is the
-/// scene's `wall_method`, which step_grid.hpp applies.
+/// A face from which a wall moves through the grid, N §2.5. The nodes that it holds change with time, so the face
+/// itself holds none; `MovingWall` does. Where velocities are expanded, `Scene::wall_method` says which of them are
+/// held
+/// (`Step::holds_lumped` and `Step::hold_expanded` in step_grid.hpp).
 struct Wall {
   static constexpr std::string_view word = "wall";
   static constexpr bool holds = false;

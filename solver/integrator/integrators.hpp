@@ -24,6 +24,9 @@ struct Integrator {
   bool is_accelerated_first = false;  ///< finds a_i before v_i: it cannot be a difference of velocities, S (30)
   double share_after_stress = 1;      ///< how much of the step is still to come for F when the stress is evaluated
 
+  /// Whether its steps have both positions and velocities at their ends.
+  bool has_whole_steps() const { return !is_staggered && !is_staged; }
+
   template <int D>
   Page<D> page() const {
     if constexpr (D == 1) return in_1d;

@@ -18,9 +18,10 @@ namespace {
 ///   k_1 = g(t, y), k_2 = g(t + Δt/2, y + Δt/2 k_1), k_3 = g(t + Δt/2, y + Δt/2 k_2), k_4 = g(t + Δt, y + Δt k_3),
 ///   y += Δt (k_1 + 2 k_2 + 2 k_3 + k_4)/6.
 /// The rates are only as smooth as ∇N: the order is four as long as no particle crosses a knot of the basis. On a fixed
-/// grid all other integrators converge to this limit with first order, also cd. They keep the weights of t^n through
-/// the step, and x follows v_i + Δt a_i although the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these
-/// terms are of order h² Δt, so that it is of second order when the time step is refined with the grid.
+/// grid all other integrators with `flip` converge to this limit with first order, also cd. They keep the weights of
+/// t^n through the step; and x, except in uvf, follows v_i + Δt a_i, although the new particle velocities map to
+/// v_i + Δt (S⁺S a)_i. In cd these terms are of order h² Δt, so that it is of second order when the time step is
+/// refined with the grid.
 template <int D>
 void rk4(Step<D>& s, double dt) {
   struct Stage {

@@ -25,7 +25,8 @@ void deform_half_way_and_advance_grid(Step<D>& s, double dt) {
 /// a run is of first order in Δt. So are the errors from positions, S (10), and from the body force, which is that of
 /// t^n; usf and usl have these, too.
 ///
-/// Energy: usf keeps it. usl loses it to the part of a that the product S⁺S of both mappings filters out, because
+/// Energy, for small motions that cross no knots: that of usf does not drift; its error oscillates and is of first
+/// order in Δt. usl loses energy to the part of a that the product S⁺S of both mappings filters out, because
 /// v⁺ = v + Δt a, whereas the new particle velocities map to v + Δt S⁺S a. usavg loses half as much as usl.
 template <int D>
 void usavg(Step<D>& s, double dt) {
@@ -34,8 +35,8 @@ void usavg(Step<D>& s, double dt) {
 }
 
 /// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg`, except that the velocity of the second half is
-/// that of `usl+`. For small motions this is leapfrog in (v, F), half drift, kick, half drift: the energy errors of usf
-/// and usl+, of first order and opposite sign, cancel.
+/// that of `usl+`. For small motions this is leapfrog in (v, F), half drift, kick, half drift: the oscillating energy
+/// errors of usf and usl+, of first order and opposite sign, cancel.
 template <int D>
 void usavg_plus(Step<D>& s, double dt) {
   deform_half_way_and_advance_grid(s, dt);

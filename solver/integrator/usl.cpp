@@ -14,12 +14,12 @@ void advance_grid(Step<D>& s, double dt) {
   s.advance_velocity(dt);       // v_i⁺ = v_i + Δt a_i                 S (6), W (16)
 }
 
-/// Update stress last: S (1) to (10), W (8), (9), (14) to (19). With particle velocities half a step behind it is `cd`,
-/// the staggered central difference, S (11) to (15), W (40) to (50). With the scene's velocity update it is N table 1.
+/// Update stress last: S (1) to (10), W (8), (9), (14) to (19), then (11). With particle velocities half a step behind
+/// it is `cd`, the staggered central difference, S (11) to (15), W (40) to (50). With `fmpm` it is N table 1.
 template <int D>
 void usl(Step<D>& s, double dt) {
   advance_grid(s, dt);
-  s.update_particles(dt, s.deformation(dt));  // v_p, x_p; F_p by v⁺      S (7) to (10), W (17) to (19)
+  s.update_particles(dt, s.deformation(dt));  // v_p, x_p; F_p by v⁺      S (7) to (10), W (17) to (19), (11)
 }
 
 /// Update stress last with re-extrapolated momenta, N §2.3: the updated particle momenta are mapped once more, and F

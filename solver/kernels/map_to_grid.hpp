@@ -4,7 +4,9 @@
 #include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/stencil.hpp"
 
-/// Node kernels (stencils/kernel.hpp) that map from particles to the grid.
+/// Node kernels (stencils/kernel.hpp) that map from particles to the grid. Each returns what one particle gives.
+/// `visit` (stencils/node_loop.hpp) hands that to `scatter` (stencils/stencil.hpp), which multiplies it by the weights
+/// and adds it to the nodes.
 namespace mpmvv::solver {
 
 /// p_i = Σ_p N_ip m_p v_p with m_i = Σ_p N_ip m_p             S (1), (2), W (8), (9)

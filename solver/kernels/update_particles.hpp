@@ -10,7 +10,7 @@
 /// Node kernels (stencils/kernel.hpp) that update particles from the grid.
 namespace mpmvv::solver {
 
-/// V' and (X' - X)/Δt of a particle, N table 1, task 4. The constructor takes its V, and S v as `v`.
+/// V' and (X' - X)/Δt of a particle, N §2.3, task 4. The constructor takes its V, and S v as `v`.
 template <int D>
 struct Advance {
   Vec<D> velocity, rate;
@@ -34,7 +34,7 @@ bool are_flip(const VelocityFields<D>& fields, const Grid<D>& grid) {
   return fields.acceleration && !fields.velocity && fields.drift == &grid.v && fields.before == 0 && fields.after == 0;
 }
 
-/// Updates velocity and position, task 4 of N table 1; `v` is S v.
+/// Updates velocity and position, N §2.3, task 4; `v` is S v.
 template <bool is_flip, int D>
 [[gnu::always_inline]] inline void update_velocity_and_position(Particles<D>& particles, const Grid<D>& grid,
                                                                 const VelocityFields<D>& fields, double dt,
@@ -49,8 +49,8 @@ template <bool is_flip, int D>
   }
 }
 
-/// Prefetches F_p, which is updated once all particles of the block have their L. The loop that does it hardly
-/// computes, and would wait for memory: large cubes took 1.07 times as long, large squares 1.05.
+/// Prefetches F_p, which is updated once all particles of the block have their L. The loop that updates it hardly
+/// computes: without the prefetch it waits for memory, and large cubes took 1.07 times as long, large squares 1.05.
 template <int D>
 [[gnu::always_inline]] inline void prefetch_deformation(const Particles<D>& particles, std::size_t p) {
   prefetch(particles.F[p]);
@@ -71,7 +71,7 @@ struct EvaluateVelocityGradient {
   }
 };
 
-/// Updates velocity and position, task 4 of N table 1, and evaluates L_p for task 5: S (7), (9), (10).
+/// Updates velocity and position, N §2.3, task 4, and evaluates L_p for task 5: S (7), (9), (10).
 template <int D, bool is_flip>
 struct UpdateParticle {
   static constexpr bool takes_packs = is_flip;
@@ -89,7 +89,7 @@ struct UpdateParticle {
   }
 };
 
-/// Updates velocity and position where F has been updated before: task 4 of N table 1, W (17), (18).
+/// Updates velocity and position where F has been updated before: N §2.3, task 4, W (17), (18).
 template <int D, bool is_flip>
 struct UpdateVelocityAndPosition {
   Particles<D>& particles;

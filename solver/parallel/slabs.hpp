@@ -19,10 +19,12 @@ namespace mpmvv::solver {
 enum class Adds { nothing, to_nodes };
 
 /// Cuts the domain across its last axis into slabs with about equally many particles. Sorts the particles so that those
-/// of a slab are contiguous and, within a slab, those that reach the same nodes. A particle may stray a cell or two out
-/// of its slab before the particles must be sorted again. Slabs are so thick that even then two slabs with another one
-/// between them share no node. The slabs depend on the grid, the basis, the particles and how many are asked for, not
-/// on the number of threads.
+/// of a slab are contiguous and, within a slab, those that reach the same nodes: these nodes then stay in the cache,
+/// and four particles of a bar can be visited at once (stencils/pack_stencil.hpp). A particle may stray a cell or two
+/// out of its slab before the particles must be sorted again (`WrapPosition` finds out). Slabs are so thick that even
+/// then two slabs with another one between them share no node, so threads may add to the nodes of every second slab at
+/// once. The slabs depend on the grid, the basis, the particles and how many are asked for, not on the number of
+/// threads.
 template <int D>
 class Slabs {
  public:
@@ -39,9 +41,9 @@ class Slabs {
     return static_cast<std::size_t>(2 * (stray + solver::reach(B::width)) + std::max(B::support, 4) + 1);
   }
 
-  /// Makes as many slabs as their least thickness allows, `at_most` so many, and at least one. Particles may stray two
-  /// cells where thicker slabs are still as many as there ever are: sorting half as often saves 3 % of a step in the
-  /// plane. Elsewhere it is one cell, as fewer slabs would leave threads without work.
+  /// Makes as many slabs as their least thickness allows, but no more than `at_most`, and at least one. Particles may
+  /// stray two cells where there is room for `most` slabs even so: then they are sorted half as often, which saves 3 %
+  /// of a step in two dimensions. Elsewhere it is one cell, as fewer slabs would leave threads without work.
   template <class B>
   Slabs(const Grid<D>& grid, const B&, std::size_t at_most = most)
       : stray_(static_cast<std::size_t>(grid.cells()[D - 1]) >= most * (least_thickness<B>(2) + 1) ? 2 : 1),

@@ -7,11 +7,13 @@
 namespace mpmvv::solver {
 
 /// n numbers, n even, in vector registers of four numbers, with one register of two numbers at the end where n is not a
-/// multiple of four. They hold the components of neighbouring nodes, which lie side by side in memory. Registers of
-/// eight numbers, which AVX-512 has, took fewer instructions and no less time, in whole cases 0.97 to 1.09 of it: a
-/// read from nodes then straddles what was written to them shortly before. Nor did it pay to keep p and f of each node,
-/// or v and a, side by side in one such register, so that nothing straddles: the loops in space then have 0.7 of the
-/// products and sums, and took 0.98 to 1.09 of the time; those of particles alone, where nothing changes, took 1.05.
+/// multiple of four. They hold the components of neighbouring nodes, which lie side by side in memory. Two uses of the
+/// registers of eight numbers that AVX-512 has were tried, and neither was faster:
+/// - Eight numbers at once take fewer instructions, but whole cases took 0.97 to 1.09 times as long: a read from nodes
+///   then overlaps only a part of what was written to them shortly before, and has to wait.
+/// - p and f of each node, or v and a, side by side in one register, so that reads match writes: the loops over nodes
+///   in three dimensions have 0.7 times as many products and sums, but took 0.98 to 1.09 times as long, and the loops
+///   over particles alone, whose code is the same, 1.05 times.
 template <int n>
 struct Doubles {
   static_assert(n > 0 && n % 2 == 0);

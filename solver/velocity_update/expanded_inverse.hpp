@@ -27,7 +27,7 @@ class ExpandedInverse {
   /// (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Step<D>& s, bool eliminates, Field& w) {
     Padded<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
-    const Padded<D + 1>* const lumped = s.grid().p.data();
+    const Padded<D + 1>* const mass_and_momentum = s.grid().p.data();
     s.for_nodes([start, image, sum](std::size_t n) {
       start[n] = sum[n];
       image[n].setZero();
@@ -41,7 +41,7 @@ class ExpandedInverse {
       product_.add(s, w, image_);
       s.sum_images(image_);
       s.for_nodes([=](std::size_t n) {
-        image[n] = start[n] - 1 / lumped[n][D] * image[n];
+        image[n] = start[n] - 1 / mass_and_momentum[n][D] * image[n];
         if (!eliminates) add(n);
       });
       if (!eliminates) continue;

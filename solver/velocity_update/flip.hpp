@@ -20,6 +20,8 @@ struct Flip : VelocityUpdate {
 
   explicit Flip(FlipPosition follow = FlipPosition::first_order) : position(follow) {}
 
+  bool needs_whole_steps() const { return position != FlipPosition::first_order; }
+
   template <int D>
   VelocityFields<D> prepare(Step<D>& s, double dt) const {
     auto& grid = s.grid();

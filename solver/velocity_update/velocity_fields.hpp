@@ -9,7 +9,7 @@ namespace mpmvv::solver {
 template <int D>
 class Step;
 
-/// The grid's fields and the factors by which a velocity update advances a particle, task 4 of N table 1:
+/// The grid's fields and the factors by which a velocity update advances a particle, N §2.3, task 4:
 ///   V' = V + Δt S `acceleration`, or S `velocity`, or S v where both are null,
 ///   X' = X + Δt (S `drift` + `before` V + `after` V'),
 /// without the first term where `drift` is null. The velocity gradient of task 5 is that of v. The fields are the
@@ -32,7 +32,9 @@ struct VelocityUpdate {
   static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and add an acceleration
   static constexpr bool takes_consistent_mass = false;  ///< is defined with the consistent mass, too
   static constexpr bool has_affine_field = false;       ///< particles carry the gradient of an affine velocity field
-  int expansion_order() const { return 0; }             ///< number of terms of the expanded inverse; 0: it takes none
+  /// Whether it takes positions and velocities of the same time, which steps that are staggered or staged do not have.
+  bool needs_whole_steps() const { return true; }
+  int expansion_order() const { return 0; }  ///< number of terms of the expanded inverse; 0: it takes none
   /// Whether the step after this number of finished ones expands the grid velocity itself, also for the stress updates.
   bool expands_grid_velocity(std::int64_t) const { return false; }
 };

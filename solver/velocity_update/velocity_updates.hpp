@@ -23,6 +23,9 @@ inline bool adds_accelerations(const AnyVelocityUpdate& update) {
 inline bool takes_consistent_mass(const AnyVelocityUpdate& update) {
   return std::visit([](const auto& own) { return own.takes_consistent_mass; }, update);
 }
+inline bool needs_whole_steps(const AnyVelocityUpdate& update) {
+  return std::visit([](const auto& own) { return own.needs_whole_steps(); }, update);
+}
 inline bool has_affine_field(const AnyVelocityUpdate& update) {
   return std::visit([](const auto& own) { return own.has_affine_field; }, update);
 }

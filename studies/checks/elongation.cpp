@@ -14,9 +14,8 @@ using settings::Setting;
 
 namespace {
 
-/// The bar of N §3.4 in one dimension, stretched until it separates. It counts as separated when two neighbours are
-/// half as far apart again as the elongation alone makes them. A run that blows up has not separated: it says nothing
-/// of the bar, and ends the check.
+/// The bar of N §3.4 in one dimension, stretched until it separates: until two neighbours are 1.5 times as far apart as
+/// the elongation alone makes them. A run that blows up before that says nothing of the bar, so it ends the check.
 class PulledBar {
  public:
   explicit PulledBar(const std::vector<Setting>& scheme) : c_(settings::make_case(settings(scheme))) {

@@ -27,7 +27,7 @@ double force(const BasisFunction<solver::UGimp>& gimp, double l, double dx, Rand
 }  // namespace
 
 /// Measures the root mean square of `force` over random tilings against dx, for two smoothing lengths, claim S-fig6.
-/// Widths beyond l lie closer together: with l = h/10 the range up to h is short.
+/// Above dx = l the values of dx lie twice as close, because with l = h/10 the range from there to h is short.
 CheckResult check_force_quadrature() {
   CheckResult result;
   for (const auto& [l, name] : {std::pair{0.1, "l = h/10"}, std::pair{0.002, "l = h/500"}}) {

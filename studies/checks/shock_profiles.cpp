@@ -44,6 +44,7 @@ void add_theory(const mms::Hugoniot& shock, CheckResult& result) {
 
 }  // namespace
 
+/// Measures pressure and temperature along the shocked bar at 4 µs with the methods of N Fig. 8: claims N-fig8, N-temp.
 CheckResult check_shock_profiles() {
   constexpr profiles::ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
                                                {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},

@@ -1,24 +1,26 @@
+#include "mms/pulse.hpp"
+
 #include "studies/problems/parameters.hpp"
 
 namespace mpmvv::problems {
 
 namespace {
 
-constexpr double pulse_length = 0.2, pulse_height = 0.01;  // m
+constexpr double pulse_height = 0.01;  // m
 
 Setup<2> pulse_setup(const Parameters& p) {
   Setup<2> setup = setup_of<2>("pulse", p);
   setup.material = material_of<solver::LinearElastic>(p);
   setup.body =
-      Box<2>{.lower = solver::Vec<2>(0, -pulse_height / 2), .size = solver::Vec<2>(pulse_length, pulse_height)};
+      Box<2>{.lower = solver::Vec<2>(0, -pulse_height / 2), .size = solver::Vec<2>(mms::pulse_length, pulse_height)};
   return setup;
 }
 
 }  // namespace
 
 /// A bar whose left end is pulled by a triangular pulse of tension, N §3.3, in plane stress, which is plane strain
-/// without a Poisson's ratio. N's bar is 198 mm long. This one is 200 mm long, a whole number of cells at every
-/// resolution; the wave does not meet its other end before the end time.
+/// without a Poisson's ratio. The wave does not meet its other end before the end
+/// time.
 Problem pulse_problem() {
   return {.name = "pulse",
           .source = "Nairn and Hammerquist 2021, section 3.3",

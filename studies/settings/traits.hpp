@@ -47,11 +47,6 @@ inline bool keeps_history(const solver::AnyMaterial& material) {
   return std::visit([]<class M>(const M&) { return solver::has_history<M>; }, material);
 }
 
-/// Whether its steps have both positions and velocities at their ends: it is neither staggered nor staged.
-inline bool has_whole_steps(const solver::Integrator& integrator) {
-  return !integrator.is_staggered && !integrator.is_staged;
-}
-
 /// Returns the words of the integrators that have a property, which a message offers to the user.
 template <class Property>
 std::vector<std::string> integrators_with(const Property& property) {

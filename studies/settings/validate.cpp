@@ -45,7 +45,7 @@ struct Asked {
   solver::AnyMaterial material = named<solver::AnyMaterial>(s.material);
   const solver::Integrator& integrator = solver::integrator_named(s.integrator);
   int ghosts = ghosts_of(basis);
-  bool has_whole_steps = settings::has_whole_steps(integrator);
+  bool has_whole_steps = integrator.has_whole_steps();
   bool is_consistent = s.mass == Mass::consistent;
   bool takes_difference = s.wall_acceleration == WallAcceleration::difference;
   bool is_curved = problem.is_curved(parameters);
@@ -263,7 +263,7 @@ std::string text_of(const Rule& rule, const Asked& a) {
                      arg("adding_updates", updates(solver::adds_accelerations)),
                      arg("wall_updates", updates(takes_consistent_velocity)),
                      arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
-                     arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
+                     arg("whole_integrators", fmt::join(integrators_with(&solver::Integrator::has_whole_steps), ", ")));
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "solver/integrator/integrators.hpp"
 #include "solver/velocity_update/affine.hpp"
 #include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
@@ -71,6 +74,8 @@ TEST(RefusedScene, HasAxesWithoutCellsOrPeriodicOnOneFace) {
   EXPECT_EQ(refusal(scene), "an axis without cells");
   scene.cells[1] = 8, scene.h = 0;
   EXPECT_EQ(refusal(scene), "cells without a width");
+  scene.h = 1, scene.lower[1] = std::nan("");
+  EXPECT_EQ(refusal(scene), "a domain without a lower corner");
 }
 
 TEST(RefusedScene, HasPlanesOfSymmetryThatReachTheOtherFace) {
@@ -114,7 +119,7 @@ TEST(RefusedScene, HasDifferencesWhereNoneCanBeTaken) {
   EXPECT_EQ(refusal(scene), "differences for accelerations at walls, of which nothing is made");
 }
 
-TEST(RefusedScene, HasAMovingWallInStages) {
+TEST(RefusedScene, HasAMovingWallThatItsSchemeDoesNotTake) {
   struct AtRest final : WallMotion {
     double position(double) const override { return 0; }
     double velocity(double) const override { return 0; }
@@ -123,8 +128,128 @@ TEST(RefusedScene, HasAMovingWallInStages) {
   Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Free{});
   scene.boundary[0] = Wall{.motion = &at_rest};
   EXPECT_EQ(refusal(scene), "");
-  scene.integrator = "rk4";
-  EXPECT_EQ(refusal(scene), "a moving wall in stages");
+  for (const char* integrator : {"rk4", "cd", "uvf"}) {
+    scene.integrator = integrator;
+    EXPECT_EQ(refusal(scene), "a moving wall with an integrator whose steps are staggered or staged") << integrator;
+  }
+  scene.integrator = "usl", scene.consistent_mass = ConsistentMassSettings{};
+  EXPECT_EQ(refusal(scene), "a moving wall with the consistent mass and a velocity update that adds accelerations");
+  scene.velocity_update = Fmpm(2);
+  EXPECT_EQ(refusal(scene), "");
+}
+
+/// `uvf` and `rk4` write particle velocities themselves, and the velocities of `cd` are half a step behind.
+TEST(RefusedScene, HasAVelocityUpdateThatItsIntegratorDoesNotMake) {
+  const char* const refused =
+      "a velocity update other than flip, first order, with an integrator whose steps are staggered or staged";
+  for (const Integrator& integrator : integrators())
+    for (const AnyVelocityUpdate& update :
+         {AnyVelocityUpdate{Flip{FlipPosition::second_order}}, AnyVelocityUpdate{Flip{FlipPosition::particle}},
+          AnyVelocityUpdate{Pic{}}, AnyVelocityUpdate{Apic{}}, AnyVelocityUpdate{Xpic(2)},
+          AnyVelocityUpdate{Fmpm(2)}}) {
+      Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+      scene.integrator = integrator.word;
+      EXPECT_EQ(refusal(scene), "");
+      scene.velocity_update = update;
+      EXPECT_EQ(refusal(scene), integrator.has_whole_steps() ? "" : refused) << integrator.word;
+    }
+}
+
+TEST(RefusedScene, AsksForMoreThanStagesMake) {
+  for (const char* integrator : {"usl", "rk4"}) {
+    const std::string refused =
+        integrator == std::string("usl") ? "" : "exponential deformation or a half start in stages";
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+    scene.integrator = integrator, scene.half_start = true;
+    EXPECT_EQ(refusal(scene), refused);
+    scene.half_start = false, scene.deformation = Deformation::exponential;
+    EXPECT_EQ(refusal(scene), refused);
+  }
+}
+
+TEST(RefusedScene, HasParticlesThatLackAField) {
+  const Scene<2> sound = full_scene<2>(CpGimp{}, 8, 2);
+  EXPECT_EQ(refusal(sound), "");
+  const auto refusal_with = [&sound](auto change) {
+    Scene<2> scene = sound;
+    change(scene.particles);
+    return refusal(scene);
+  };
+  const char* const refused = "particles whose fields have different lengths";
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.id.pop_back(); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.v.pop_back(); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.F.pop_back(); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.m.pop_back(); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.V0.pop_back(); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.X.resize(1); }), refused);
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.l.pop_back(); }),
+            "particles without the widths that the basis takes");
+  EXPECT_EQ(refusal_with([](Particles<2>& particles) { particles.l0.clear(); }),
+            "particles without the widths at rest that the basis takes");
+}
+
+TEST(RefusedScene, HasWidthsThatFollowTheDeformationWhereTheBasisTakesThoseAtRest) {
+  Scene<1> scene = full_scene<1>(Gimp{}, 8, 2);
+  EXPECT_EQ(refusal(scene), "");
+  scene.particles.l0 = scene.particles.l;
+  EXPECT_EQ(refusal(scene), "widths that follow F with a basis whose widths do not");
+}
+
+TEST(RefusedScene, HasParticlesWithoutAMassAVolumeOrAnIdOfTheirOwn) {
+  const auto refusal_with = [](auto change) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+    change(scene.particles);
+    return refusal(scene);
+  };
+  for (const double amount : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_EQ(refusal_with([=](Particles<1>& particles) { particles.m[3] = amount; }), "a particle without a mass");
+    EXPECT_EQ(refusal_with([=](Particles<1>& particles) { particles.V0[3] = amount; }), "a particle without a volume");
+  }
+  const char* const refused = "particles whose ids are not 0, 1, ... in some order";
+  EXPECT_EQ(refusal_with([](Particles<1>& particles) { particles.id[3] = 4; }), refused);
+  EXPECT_EQ(refusal_with([](Particles<1>& particles) { particles.id[3] = 1'000; }), refused);
+  EXPECT_EQ(refusal_with([](Particles<1>& particles) { std::swap(particles.id[3], particles.id[5]); }), "");
+}
+
+TEST(RefusedScene, HasALoadOnAParticleThatIsNotThere) {
+  struct OnePart final : SurfaceLoad<2> {
+    Part part{};
+    std::span<const Part> parts() const override { return {&part, 1}; }
+    void forces(double, Vec<2>* f) const override { f->setZero(); }
+  } load;
+  Scene<2> scene = full_scene<2>(BSpline2{}, 8, 2);
+  scene.surface_load = &load;
+  EXPECT_EQ(refusal(scene), "");
+  load.part.particle = static_cast<std::uint32_t>(scene.particles.size());
+  EXPECT_EQ(refusal(scene), "a load on the surface of a particle that is not there");
+}
+
+TEST(RefusedScene, HasSettingsOfItsMassesOutOfTheirRange) {
+  const auto refusal_with = [](ConsistentMassSettings settings) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+    scene.consistent_mass = settings;
+    return refusal(scene);
+  };
+  EXPECT_EQ(refusal_with({.lumped_share = 1}), "");
+  for (const double share : {0.0, 1.1, std::nan("")})
+    EXPECT_EQ(refusal_with({.lumped_share = share}), "a lumped share that is not in [1e-12, 1]");
+  for (const double tolerance : {0.0, 1.0, std::nan("")})
+    EXPECT_EQ(refusal_with({.tolerance = tolerance}), "a tolerance that is not in [1e-14, 1)");
+  EXPECT_EQ(refusal_with({.covered = -1}), "a fraction of covered mass that is not in [0, 1]");
+  for (const double cutoff : {-1e-9, 1.0, std::nan("")}) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+    scene.mass_cutoff = cutoff;
+    EXPECT_EQ(refusal(scene), "a mass cutoff that is not in [0, 1)");
+  }
+}
+
+TEST(RefusedTimeStep, IsNotAboveZero) {
+  Mpm<1> mpm(full_scene<1>(BSpline2{}, 8, 2));
+  for (const double dt : {0.0, -1e-3, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_THROW(mpm.step(dt), std::invalid_argument) << dt;
+    EXPECT_THROW(mpm.advance(dt, 3), std::invalid_argument) << dt;
+  }
+  EXPECT_TRUE(mpm.step(1e-3));
 }
 
 TEST(RefusedScene, HasMoreNodesThanIndicesCount) {

@@ -32,6 +32,7 @@ std::vector<Scheme> schemes() {
   return {{"usl", Flip{}, BSpline2{}},
           {"usavg", Flip{FlipPosition::second_order}, CpGimp{}},
           {"usl", Flip{}, BSpline2{}, WallMethod::combined, true},
+          {"usl", Fmpm(2), BSpline2{}, WallMethod::combined, true},
           {"rk4", Flip{}, BSpline3{}},
           {"uvf", Flip{}, B2Gimp{}},
           {"usl+", Apic{}, BSpline2{}},
@@ -40,10 +41,12 @@ std::vector<Scheme> schemes() {
           {"usl+", Fmpm{2, 2}, B2Cpdi{}, WallMethod::velocity}};
 }
 
-/// Whether the scheme goes with the faces: stages do not go with a wall that moves.
+/// Whether the scheme goes with the faces, of which not every scheme takes walls.
 bool takes(const Scheme& scheme, const auto& faces) {
   const auto is_wall = [](const AnyBoundary& face) { return std::holds_alternative<Wall>(face); };
-  return !integrator_named(scheme.integrator).is_staged || std::ranges::none_of(faces, is_wall);
+  const bool takes_walls = integrator_named(scheme.integrator).has_whole_steps() &&
+                           !(scheme.has_consistent_mass && adds_accelerations(scheme.update));
+  return takes_walls || std::ranges::none_of(faces, is_wall);
 }
 
 /// One tenth of a metre to a cell, two particles along each axis of a cell, off its middle. Strained, and in a motion

@@ -120,6 +120,7 @@ void add_limits(const std::string& name, const std::vector<LinearBar>& bars, Che
 
 namespace mpmvv::checks {
 
+/// Measures limits of stability and largest gains of FMPM(k) on free linear bars, k up to 64: claim X-highk.
 CheckResult check_high_order_spectra() {
   CheckResult result;
   mapping::add_limits("two per cell", mapping::bars_in_motion(), result);

@@ -18,15 +18,15 @@ class MovingBody {
       : MovingBody(settings::make_case(settings), images) {}
   MovingBody(const cases::Case& c, solver::Images images)
       : case_(c),
-        stage_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1, images)),
-        mpm_(std::move(stage_.scene)) {}
+        prepared_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1, images)),
+        mpm_(std::move(prepared_.scene)) {}
 
   const cases::Resolution& resolution() const { return case_.resolution; }
   const solver::Mpm<D>& mpm() const { return mpm_; }
-  const mms::ManufacturedSolution<D>& solution() const { return *stage_.setup.solution; }
-  const std::vector<solver::Vec<D>>& X() const { return stage_.X; }  ///< reference positions by particle id
+  const mms::ManufacturedSolution<D>& solution() const { return *prepared_.setup.solution; }
+  const std::vector<solver::Vec<D>>& X() const { return prepared_.X; }  ///< reference positions by particle id
   /// Returns how many particles of the body a particle stands for, itself and its images.
-  int count_of(std::uint32_t id) const { return stage_.count_of(id); }
+  int count_of(std::uint32_t id) const { return prepared_.count_of(id); }
 
   /// Advances the run until `step` steps are done. Throws std::runtime_error when the run blows up.
   void step_to(std::int64_t step) {
@@ -36,7 +36,7 @@ class MovingBody {
 
  private:
   cases::Case case_;
-  runs::PreparedCase<D> stage_;
+  runs::PreparedCase<D> prepared_;
   solver::Mpm<D> mpm_;
   std::int64_t step_ = 0;
 };
