@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "solver/integrator/integrators.hpp"
+#include "solver/mpm.hpp"
 #include "solver/words.hpp"
 #include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::runs::prepared_case_test {
 
@@ -47,6 +50,50 @@ TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
     const Settings order{{"order", "3", ""}};
     EXPECT_EQ(update_of(std::string(words[k]), solver::expands_inverse(named) ? order : Settings{}).index(), k);
   }
+}
+
+std::string text_of(const Settings& settings) {
+  std::string text;
+  for (const settings::Setting& setting : settings) text += setting.key + "=" + setting.value + " ";
+  return text;
+}
+
+/// What the rules of a case let through, the solver's own (solver/scene.cpp) must not refuse when the run begins.
+TEST(Scene, IsSoundForEveryValidScheme) {
+  std::vector<Settings> updates;
+  for (const char* position : {"first-order", "second-order", "particle"})
+    updates.push_back({{"velocity_update", "flip", ""}, {"position", position, ""}});
+  for (const auto word : solver::words<solver::AnyVelocityUpdate>())
+    for (const char* order : {"", "2"}) {
+      updates.push_back({{"velocity_update", std::string(word), ""}});
+      if (*order) updates.back().push_back({"order", order, ""});
+    }
+  int valid = 0;
+  const auto expect_sound = [&valid](const Settings& settings) {
+    cases::Case c;
+    try {
+      c = settings::make_case(settings);
+    } catch (const support::UsageError&) {
+      return;
+    }
+    ++valid;
+    auto prepared = prepare_case<2>(c, problems::find_problem(c.problem.name, ""), 1);
+    EXPECT_NO_THROW(solver::Mpm<2>(std::move(prepared.scene))) << text_of(settings);
+  };
+  for (const auto basis : solver::words<solver::AnyBasis>())
+    for (const auto integrator : solver::integrator_words())
+      for (const Settings& update : updates)
+        for (const char* mass : {"lumped", "consistent"})
+          for (const char* boundary :
+               {"dirichlet", "symmetry", "mirror", "free", "periodic", "xmin=wall,xmax=wall,ymin=free,ymax=free"}) {
+            Settings settings{{"problem", "swing", ""},   {"cells", "8", ""},
+                              {"ppc", "2", ""},           {"cfl", "0.2", ""},
+                              {"mass", mass, ""},         {"basis", std::string(basis), ""},
+                              {"boundary", boundary, ""}, {"integrator", std::string(integrator), ""}};
+            settings.insert(settings.end(), update.begin(), update.end());
+            expect_sound(settings);
+          }
+  EXPECT_GT(valid, 1000);
 }
 
 /// S (11) to (15), W §4: particle velocities of `cd` are half a step behind the positions. `half` begins with those of
