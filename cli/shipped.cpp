@@ -20,10 +20,16 @@ using support::UsageError;
 
 namespace {
 
+/// Whether something is there that may be a study file, as a folder may not.
+bool may_be_read(const fs::path& file) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(file, unknown);
+  return fs::exists(status) && !fs::is_directory(status);
+}
+
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
-  std::error_code absent;
   const std::string file = name + ".toml";
-  const auto meant = fs::exists(file, absent) ? file : support::nearest_word(name, known);
+  const auto meant = may_be_read(file) ? file : support::nearest_word(name, known);
   throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
                                meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
 }
@@ -86,8 +92,7 @@ std::vector<std::string> named_study_files(const std::vector<std::string>& names
     throw UsageError(fmt::format("no study file in --studies {} (a folder with *.toml)", folder));
   std::vector<std::string> files;
   for (const std::string& name : names.empty() ? known : names) {
-    std::error_code unknown;
-    const bool is_there = !names.empty() && fs::exists(name, unknown);
+    const bool is_there = !names.empty() && may_be_read(name);
     const bool by_name = !is_there && std::ranges::binary_search(known, name);
     if (!is_there && !by_name && support::is_file_stem(name) && !name.ends_with(".toml")) refuse_name(name, known);
     files.push_back(by_name ? (place / (name + ".toml")).string() : name);
