@@ -11,6 +11,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/suggestion.hpp"
+#include "studies/support/toml_file.hpp"
 
 namespace mpmvv::cli {
 
@@ -34,6 +35,13 @@ bool may_be_read(const fs::path& file) {
                                meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
 }
 
+/// Whether it is a study file of this title: a file of the same name may be of anything.
+bool has_title(const fs::path& file, const std::string& title) try {
+  return support::TomlTable::read(file).text("title") == title;
+} catch (const UsageError&) {
+  return false;
+}
+
 }  // namespace
 
 fs::path shipped(const std::string& folder) {
@@ -50,15 +58,18 @@ bool is_shipped(const StudyResult& study) {
   return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == store::without_trial(study.text);
 }
 
-fs::path study_file(const StudyResult& study) {
+std::vector<fs::path> files_named_as(const StudyResult& study) {
+  std::vector<fs::path> files;
   for (const fs::path& folder : {fs::path(), fs::path("studies"), shipped("studies")})
-    if (const fs::path file = folder / (study.name + ".toml"); support::read_file(file)) return file;
-  return {};
+    if (const fs::path file = folder / (study.name + ".toml"); may_be_read(file)) files.push_back(file);
+  return files;
 }
 
-fs::path changed_file(const StudyResult& study) {
-  const fs::path file = study_file(study);
-  return file.empty() || support::read_file(file) == store::without_trial(study.text) ? fs::path() : file;
+fs::path other_file(const StudyResult& study) {
+  for (const fs::path& file : files_named_as(study))
+    if (has_title(file, study.title))
+      return support::read_file(file) == store::without_trial(study.text) ? fs::path() : file;
+  return {};
 }
 
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
