@@ -87,9 +87,8 @@ std::string found_text(const ClaimPart& part) {
   if (known.empty()) return "-";
   if (known.size() <= most_shown) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [first, last] = std::ranges::minmax_element(known, {}, &Found::value);
-  const double least = first->value, most = last->value;
-  if (least == most) return value_text(part, least);  // also where all are infinite, to runs that blew up
-  return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
+  const std::string least = value_text(part, first->value), most = value_text(part, last->value);
+  return least == most ? least : fmt::format("{} to {}", least, most);
 }
 
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {
