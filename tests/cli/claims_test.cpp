@@ -88,6 +88,13 @@ TEST(ClaimsPage, OfNumbersThatLookTheSameHasNoRange) {
   EXPECT_THAT(page_of(part), ContainsRegex("at least 0.5 +1 +near one\n"));
 }
 
+TEST(ClaimsPage, PartsEvidenceOutsideOfNamesAlone) {
+  const records::ClaimPart part{"C", "asked", records::PartVerdict::holds,
+                                "l2 of 'a; b' = 1; l2 of 'Euler's; c' = 2; the case's cost = 3", ""};
+  EXPECT_THAT(page_of(part),
+              HasSubstr("\n    l2 of 'a; b' = 1\n    l2 of 'Euler's; c' = 2\n    the case's cost = 3\n"));
+}
+
 TEST(ClaimsOfTheProgram, SayWithoutWhichOfItsStudiesTheyAreJudged) {
   const Folder folder;
   const std::string db = store_of(folder);  // names the claim of a study that comes with the program, s-fig10
