@@ -144,6 +144,14 @@ TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
   check(check, "");
 }
 
+TEST_F(Help, IsWrappedOnTheNarrowestTerminal) {
+  std::istringstream lines(on_terminal(folder_, 20, "db --help"));
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("  mpmvv")) {
+      EXPECT_LE(columns_of(line), 42U) << line;
+    }
+}
+
 TEST_F(Help, ShowsValuesAndDefaults) {
   const std::string run = help("run");
   EXPECT_THAT(run, AllOf(HasSubstr("--basis WORD            grid basis functions: linear, bspline2, "),
