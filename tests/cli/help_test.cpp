@@ -166,7 +166,8 @@ TEST_F(Help, ShowsValuesAndDefaults) {
 TEST_F(Help, SaysWhichOptionsAnExpressionNeedsForParticlesAlone) {
   const std::string text = std::regex_replace(help("expression"), std::regex("\n +"), " ");
   EXPECT_THAT(text, AllOf(HasSubstr("cells per length L of the problem (required with --form per-particle)"),
-                          HasSubstr("(this or --dt is required with --form per-particle)"), HasSubstr(" (required) ")));
+                          HasSubstr("(this or --dt is required with --form per-particle)"), HasSubstr(" (required) "),
+                          HasSubstr("which alone takes the options of a whole case")));
 }
 
 }  // namespace mpmvv::cli::help_test
