@@ -63,7 +63,8 @@ std::optional<std::size_t> note_columns() {
 }
 
 std::size_t text_width() {
-  return output_columns().value_or(100);
+  constexpr std::size_t least = 40;  // what stands indented needs some room
+  return std::max(least, output_columns().value_or(100));
 }
 
 bool has_colours() {

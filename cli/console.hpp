@@ -25,7 +25,7 @@ void note_text(const std::string& text);
 std::optional<std::size_t> output_columns();
 std::optional<std::size_t> note_columns();
 
-std::size_t text_width();  ///< what tables and lines should fit: the terminal on standard output, else 100 columns
+std::size_t text_width();  ///< what lines should fit: the terminal on standard output, but 40 columns; else 100
 
 /// Whether standard output is a terminal that shows colours, and the user wants some (NO_COLOR is not set).
 bool has_colours();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -87,9 +88,8 @@ std::string found_text(const ClaimPart& part) {
   if (known.empty()) return "-";
   if (known.size() <= most_shown) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [first, last] = std::ranges::minmax_element(known, {}, &Found::value);
-  const double least = first->value, most = last->value;
-  if (least == most) return value_text(part, least);  // also where all are infinite, to runs that blew up
-  return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
+  const std::string least = value_text(part, first->value), most = value_text(part, last->value);
+  return least == most ? least : fmt::format("{} to {}", least, most);
 }
 
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {
@@ -99,15 +99,32 @@ void print_criteria(const std::string& head, const std::vector<LabelledPart>& pa
   table.print();
 }
 
+namespace {
+
+/// The numbers of an evidence, parted by "; ". Names of series, in quotes, may have that, too, and apostrophes.
+std::vector<std::string> numbers_of(const std::string& evidence) {
+  std::vector<std::string> numbers(1);
+  bool in_quotes = false;
+  const auto is_in_word = [&](std::size_t at) {
+    return at < evidence.size() && std::isalnum(static_cast<unsigned char>(evidence[at])) != 0;
+  };
+  for (std::size_t at = 0; at < evidence.size(); ++at) {
+    if (evidence[at] == '\'' && !is_in_word(in_quotes ? at + 1 : at - 1)) in_quotes = !in_quotes;
+    if (!in_quotes && evidence.compare(at, 2, "; ") == 0)
+      numbers.emplace_back(), ++at;
+    else
+      numbers.back() += evidence[at];
+  }
+  return numbers;
+}
+
+}  // namespace
+
 void print_grounds(const std::vector<LabelledPart>& parts) {
   for (const auto& [label, part] : parts) {
     print("\n");
     print_indented(fmt::format("{} {}: {}", label, to_string(part.verdict), part.statement), 2);
-    for (std::size_t begin = 0; begin < part.evidence.size();) {
-      const std::size_t end = std::min(part.evidence.find("; ", begin), part.evidence.size());
-      print_indented(part.evidence.substr(begin, end - begin));
-      begin = end + 2;
-    }
+    for (const std::string& number : numbers_of(part.evidence)) print_indented(number);
   }
 }
 

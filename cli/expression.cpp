@@ -119,8 +119,8 @@ void add_expression(CLI::App& app, int& exit_code) {
       ->add_option(
           "--form", options->form,
           "of the body force: reference, b(X, t); inverse, b(x, t); current, b(t) where it is the same everywhere; "
-          "per-particle, b(t) of each particle, as CSV, for which the whole case is needed; misplaced, b(X, t) with x "
-          "for X, a planted mistake; none, 0")
+          "per-particle, b(t) of each particle, as CSV, which alone takes the options of a whole case, all but "
+          "--problem, --quarter and --param; misplaced, b(X, t) with x for X, a planted mistake; none, 0")
       ->type_name(word_of(setting_words("force_form")))
       ->default_val("reference");
   command->add_option("--dialect", options->dialect, dialect_texts())->type_name(word_of(dialect_words()))->required();

@@ -75,12 +75,12 @@ nlohmann::json gate_json(const goldens::GateReport& report, const GatedCodes& ga
           {"results", results}};
 }
 
-/// Notes which study files have changed since they were run: goldens are held against what was run.
-void note_changed(const std::vector<records::StudyResult>& results, const std::vector<std::string>& only) {
+/// Notes which study files are not what was run: goldens are held against what was run.
+void note_others(const std::vector<records::StudyResult>& results, const std::vector<std::string>& only) {
   for (const records::StudyResult& study : results)
-    if (const auto file = changed_file(study);
+    if (const auto file = other_file(study);
         !file.empty() && (only.empty() || std::ranges::count(only, study.name) > 0))
-      note("{}: {} has changed since it was run (`mpmvv study` runs what is new)\n", study.name, file.string());
+      note("{}: {} is not what was run (`mpmvv study` runs what is new)\n", study.name, file.string());
 }
 
 /// Whether the store has several programs that say this version of themselves. It counts no trials.
@@ -110,20 +110,12 @@ GatedCodes gated_codes(const GateOptions& options, const goldens::GateReport& re
   return codes;
 }
 
-/// Where the study files lie that note_changed looks at.
-std::vector<std::filesystem::path> study_files(const std::vector<records::StudyResult>& results) {
-  std::vector<std::filesystem::path> files;
-  for (const records::StudyResult& study : results)
-    if (const auto file = study_file(study); !file.empty()) files.push_back(file);
-  return files;
-}
-
 int gate(const GateOptions& options) {
   const auto results = own_results(options.db);
-  note_changed(results, options.only);
+  note_others(results, options.only);
   const std::filesystem::path folder = goldens_for(results, options.goldens);
   require_apart("--junit", options.junit, {options.db, folder});
-  require_apart("--junit", options.junit, study_files(results));
+  for (const records::StudyResult& study : results) require_apart("--junit", options.junit, files_named_as(study));
   const goldens::GateReport report =
       goldens::run_gate(goldens::read_goldens(folder), results,
                         {.only = options.only,

@@ -46,6 +46,7 @@ void print_indented(const std::string& text, std::size_t blanks) {
 
 std::string cut(const std::string& text, std::size_t columns) {
   if (columns_of(text) <= columns) return text;
+  if (columns == 0) return "";
   std::size_t end = 0;
   for (std::size_t shown = 0; shown < columns; ++end) shown += starts_character(text[end]);
   return text.substr(0, end - 1) + "…";

@@ -49,7 +49,7 @@ std::optional<reports::MutationResults> shown_mutation(const std::string& db,
   if (reports::read_mutation_results(mutants_beside(db)))
     note("{} tried another build of the program: left out (`./run mutants` makes it anew)\n",
          mutants_beside(db).string());
-  return reports::read_mutation_results(published() / "summary.json");
+  return reports::read_mutation_results(published("summary.json"));
 }
 
 void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens,
@@ -94,7 +94,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.digest = own.digest, input.written = own.time;
   input.studies = own_results(options.db);
   const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
-  require_apart("--out", options.out, {options.db, folder, published()});
+  require_apart("--out", options.out, {options.db, folder, shipped("tests/mutation")});
   require_own_results(input.studies, options.db);
   const auto goldens = goldens_in(folder, options.goldens);
   const store::Store store(options.db, store::Store::Mode::read);

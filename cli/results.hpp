@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -77,13 +76,11 @@ inline reports::Provenances provenances_of(const std::vector<records::StudyResul
   return provenances;
 }
 
-/// Where the mutation campaign and `./run alarms` publish their results: in the tree here or, where there is none, in
-/// that of the program.
-inline std::filesystem::path published() {
-  const std::filesystem::path here = "tests/mutation";
-  std::error_code unknown;
-  const std::filesystem::path there = std::filesystem::exists(here, unknown) ? "" : shipped(here);
-  return there.empty() ? here : there;
+/// What comes with the program of the results that the mutation campaign and `./run alarms` publish: the file of this
+/// name. Empty where nothing comes with the program.
+inline std::filesystem::path published(const std::string& file) {
+  const std::filesystem::path folder = shipped("tests/mutation");
+  return folder.empty() ? folder : folder / file;
 }
 
 /// What `./run mutants` leaves beside a store.
@@ -96,7 +93,7 @@ inline std::filesystem::path mutants_beside(const std::string& db) {
 inline std::optional<reports::MutationResults> own_mutation(const std::string& db) {
   const std::string digest = store::current_provenance().digest;
   std::optional<reports::MutationResults> most;
-  for (const auto& file : {mutants_beside(db), published() / "summary.json"}) {
+  for (const auto& file : {mutants_beside(db), published("summary.json")}) {
     auto results = reports::read_mutation_results(file);
     if (results && results->digest == digest && (!most || results->tried() > most->tried())) most = std::move(results);
   }
@@ -106,7 +103,7 @@ inline std::optional<reports::MutationResults> own_mutation(const std::string& d
 /// The published runs of programs without a mistake (`./run alarms`); none where they are of other sources than this
 /// program.
 inline std::vector<reports::AlarmCount> own_alarms() {
-  reports::AlarmCounts counts = reports::read_alarms(published() / "alarms.toml");
+  reports::AlarmCounts counts = reports::read_alarms(published("alarms.toml"));
   if (counts.digest != store::current_provenance().digest) counts.builds.clear();
   return counts.builds;
 }

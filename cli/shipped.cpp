@@ -11,6 +11,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/suggestion.hpp"
+#include "studies/support/toml_file.hpp"
 
 namespace mpmvv::cli {
 
@@ -20,12 +21,25 @@ using support::UsageError;
 
 namespace {
 
+/// Whether something is there that may be a study file, as a folder may not.
+bool may_be_read(const fs::path& file) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(file, unknown);
+  return fs::exists(status) && !fs::is_directory(status);
+}
+
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
-  std::error_code absent;
   const std::string file = name + ".toml";
-  const auto meant = fs::exists(file, absent) ? file : support::nearest_word(name, known);
+  const auto meant = may_be_read(file) ? file : support::nearest_word(name, known);
   throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
                                meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
+}
+
+/// Whether it is a study file of this title: a file of the same name may be of anything.
+bool has_title(const fs::path& file, const std::string& title) try {
+  return support::TomlTable::read(file).text("title") == title;
+} catch (const UsageError&) {
+  return false;
 }
 
 }  // namespace
@@ -44,15 +58,18 @@ bool is_shipped(const StudyResult& study) {
   return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == store::without_trial(study.text);
 }
 
-fs::path study_file(const StudyResult& study) {
+std::vector<fs::path> files_named_as(const StudyResult& study) {
+  std::vector<fs::path> files;
   for (const fs::path& folder : {fs::path(), fs::path("studies"), shipped("studies")})
-    if (const fs::path file = folder / (study.name + ".toml"); support::read_file(file)) return file;
-  return {};
+    if (const fs::path file = folder / (study.name + ".toml"); may_be_read(file)) files.push_back(file);
+  return files;
 }
 
-fs::path changed_file(const StudyResult& study) {
-  const fs::path file = study_file(study);
-  return file.empty() || support::read_file(file) == store::without_trial(study.text) ? fs::path() : file;
+fs::path other_file(const StudyResult& study) {
+  for (const fs::path& file : files_named_as(study))
+    if (has_title(file, study.title))
+      return support::read_file(file) == store::without_trial(study.text) ? fs::path() : file;
+  return {};
 }
 
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
@@ -86,8 +103,7 @@ std::vector<std::string> named_study_files(const std::vector<std::string>& names
     throw UsageError(fmt::format("no study file in --studies {} (a folder with *.toml)", folder));
   std::vector<std::string> files;
   for (const std::string& name : names.empty() ? known : names) {
-    std::error_code unknown;
-    const bool is_there = !names.empty() && fs::exists(name, unknown);
+    const bool is_there = !names.empty() && may_be_read(name);
     const bool by_name = !is_there && std::ranges::binary_search(known, name);
     if (!is_there && !by_name && support::is_file_stem(name) && !name.ends_with(".toml")) refuse_name(name, known);
     files.push_back(by_name ? (place / (name + ".toml")).string() : name);

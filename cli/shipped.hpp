@@ -16,11 +16,12 @@ std::filesystem::path shipped(const std::string& folder);
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
-/// The study's file: here, in `studies` here, or among those that come with the program. Empty where there is none.
-std::filesystem::path study_file(const records::StudyResult& study);
+/// The files of the study's name: here, in `studies` here, and among those that come with the program.
+std::vector<std::filesystem::path> files_named_as(const records::StudyResult& study);
 
-/// The same, if it has changed since it was run. Empty where it has not changed, and where there is none.
-std::filesystem::path changed_file(const records::StudyResult& study);
+/// The first of them that has the study's title, too, if it is not word for word what was run. Empty where it is, and
+/// where there is none.
+std::filesystem::path other_file(const records::StudyResult& study);
 
 /// The folder of goldens that results are held against: the one named, UsageError where it is not there; without a name
 /// `goldens` here or, where there is none and a result is of a study that comes with the program, the folder that comes

@@ -1,33 +1,18 @@
 # What `cmake --install` puts where, and the Debian package. The program finds its study files and goldens from its own
-# place (cli/shipped.cpp): PREFIX/bin beside PREFIX/share/mpmvv. The man page and the completions are made by the program
-# itself from the definition of its command line.
+# place (cli/shipped.cpp): PREFIX/bin beside PREFIX/share/mpmvv. Its man page and completions are made when it is
+# installed and not when it is built, as not every machine that builds it can run it.
 include(GNUInstallDirs)
 
-set(mpmvv_manual ${PROJECT_BINARY_DIR}/manual)
 set(mpmvv_data ${CMAKE_INSTALL_DATAROOTDIR}/mpmvv)
 
 install(TARGETS mpmvv)
-install(CODE "
-  set(program \"$<TARGET_FILE:mpmvv>\")
-  set(manual \"${mpmvv_manual}\")
-  file(MAKE_DIRECTORY \${manual})
-  function(mpmvv_make file)
-    execute_process(COMMAND \${program} \${ARGN} OUTPUT_FILE \${manual}/\${file} COMMAND_ERROR_IS_FATAL ANY)
-  endfunction()
-  mpmvv_make(mpmvv.1 man)
-  mpmvv_make(mpmvv completion bash)
-  mpmvv_make(_mpmvv completion zsh)
-  mpmvv_make(mpmvv.fish completion fish)
-  execute_process(COMMAND gzip -9nf \${manual}/mpmvv.1 COMMAND_ERROR_IS_FATAL ANY)
-  set(zsh site-functions)
-  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")  # where Debian's zsh looks for what packages bring
-    set(zsh vendor-completions)
-  endif()
-  file(INSTALL \${manual}/_mpmvv DESTINATION \${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/zsh/\${zsh})
-")
-install(FILES ${mpmvv_manual}/mpmvv.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${mpmvv_manual}/mpmvv DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions)
-install(FILES ${mpmvv_manual}/mpmvv.fish DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d)
+if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
+  install(CODE "
+    set(program ${CMAKE_CROSSCOMPILING_EMULATOR} \"$<TARGET_FILE:mpmvv>\")
+    set(man \"${CMAKE_INSTALL_MANDIR}\")
+    set(share \"${CMAKE_INSTALL_DATAROOTDIR}\")")
+  install(SCRIPT cmake/Manual.cmake)
+endif()
 
 file(GLOB mpmvv_studies CONFIGURE_DEPENDS studies/*.toml)
 file(GLOB mpmvv_goldens CONFIGURE_DEPENDS goldens/*.toml)

@@ -11,6 +11,7 @@
 
 #include "studies/fits/window.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/shell.hpp"
 #include "studies/support/toml_file.hpp"
 
 namespace mpmvv::goldens {
@@ -215,7 +216,7 @@ std::set<std::filesystem::path> golden_files(const std::filesystem::path& direct
 /// How a directory comes to its first golden.
 std::string first_golden_of(const std::filesystem::path& directory) {
   return fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
-                     (directory / "NAME.toml").string());
+                     support::shell_word((directory / "NAME.toml").string()));
 }
 
 }  // namespace

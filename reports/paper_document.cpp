@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 
 #include "reports/convergence_table.hpp"
 #include "reports/figure_choice.hpp"
@@ -26,10 +26,21 @@ std::string latex_of(const std::string& text) {
   return typeset(text, Notation::latex);
 }
 
+/// Whether these words say no more than which figure: "2(a)", "16.4, left".
+bool name_a_figure(std::string_view words) {
+  const auto blank = words.find(' ');
+  return blank == std::string_view::npos ||
+         (words.find(", ") + 1 == blank && words.find(' ', blank + 1) == std::string_view::npos);
+}
+
 /// The caption without "Compare S Fig. 2(a).", which the figure's label says already.
 std::string own_caption(const Chart& chart) {
-  static const std::regex comparison(R"( Compare [A-Z] Fig\. [^ ]*[^ .](, [a-z]+)?\.)");
-  return std::regex_replace(chart.caption, comparison, "");
+  const std::string text = chart.caption + ' ';  // so that its last sentence ends as the others do
+  const auto begin = text.find(" Compare "), label = text.find(" Fig. ", begin);
+  if (label != begin + std::string_view(" Compare S").size()) return chart.caption;
+  const auto number = label + std::string_view(" Fig. ").size(), end = text.find(". ", number);
+  if (end == std::string::npos || !name_a_figure(text.substr(number, end - number))) return chart.caption;
+  return chart.caption.substr(0, begin) + chart.caption.substr(end + 1);
 }
 
 /// The caption in LaTeX, with what tells of a trial and of what the figure leaves out.

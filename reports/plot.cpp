@@ -154,6 +154,7 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   }
   if (changed.empty()) return 0;
 
+  limit *= static_cast<int>((changed.size() + 9) / 10);
   const auto end = support::run_process(command, folder, {{"LC_ALL", "C.UTF-8"}}, limit, kept_variables);
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;

@@ -30,7 +30,8 @@ bool has_own_height(const Chart& chart);
 bool has_room(const Chart& chart, const Sheet& sheet);
 
 /// Draws the plots whose script or data differ from the folder's, or whose pictures are absent; returns how many these
-/// were. Throws UsageError when gnuplot is missing, fails, exceeds the time limit or leaves a picture out.
+/// were. Throws UsageError when gnuplot is missing, fails, exceeds the time limit, which is that for ten plots, or
+/// leaves a picture out.
 int draw(const std::vector<Plot>& plots, const std::filesystem::path& folder,
          std::chrono::milliseconds limit = std::chrono::seconds(60));
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <sstream>
 #include <vector>
 
 #include "studies/claims/criterion.hpp"
@@ -38,9 +40,22 @@ std::string or_required(const std::string& absent) {
   return absent.empty() ? "**required**" : absent;
 }
 
+/// A paragraph in lines of the documents' width; what stands in code is not broken.
+std::string paragraph(const std::string& text) {
+  constexpr std::size_t width = 150;
+  std::istringstream words(text);
+  std::string lines, line;
+  for (std::string word, rest; words >> word;) {
+    while (std::ranges::count(word, '`') % 2 == 1 && words >> rest) word += ' ' + rest;
+    if (!line.empty() && line.size() + 1 + word.size() > width) lines += line + '\n', line.clear();
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return lines + line + "\n\n";
+}
+
 std::string section(const FileTable& table) {
-  std::string text =
-      fmt::format("## {}\n\n{}\n\n", table.name.empty() ? table.heading : "`" + table.heading + "`", table.meaning);
+  std::string text = fmt::format("## {}\n\n", table.name.empty() ? table.heading : "`" + table.heading + "`") +
+                     paragraph(table.meaning);
   if (table.keys.empty()) return text;
   text += "| key | takes | without it | meaning |\n|---|---|---|---|\n";
   for (const FileKey& key : table.keys)
@@ -91,10 +106,11 @@ Measure measure_of(Criterion::Kind kind) {
 }
 
 std::string measures() {
-  std::string text =
-      "## Measures\n\nThe number that a criterion asks for, and the keys that it needs beside `at_least` and "
-      "`at_most`. It takes no others; where there is no number, there are no bounds either.\n\n"
-      "| measure | number | needs |\n|---|---|---|\n";
+  std::string text = "## Measures\n\n" +
+                     paragraph(
+                         "The number that a criterion asks for, and the keys that it needs beside `at_least` and "
+                         "`at_most`. It takes no others; where there is no number, there are no bounds either.") +
+                     "| measure | number | needs |\n|---|---|---|\n";
   for (std::size_t k = 0; k < words_of(Criterion::Kind{}).size(); ++k) {
     const auto kind = static_cast<Criterion::Kind>(k);
     const auto& [number, needs] = measure_of(kind);
@@ -114,10 +130,11 @@ std::string takes(const SettingKey& key) {
 }
 
 std::string settings_section() {
-  std::string text =
-      "## Settings\n\nWhat a case is made of: the options of `mpmvv run`, with `_` for `-`. The words are explained in "
-      "[theory.md](theory.md), the problems in [problems.md](problems.md).\n\n"
-      "| key | takes | without it | meaning |\n|---|---|---|---|\n";
+  std::string text = "## Settings\n\n" +
+                     paragraph(
+                         "What a case is made of: the options of `mpmvv run`, with `_` for `-`. The words are "
+                         "explained in [theory.md](theory.md), the problems in [problems.md](problems.md).") +
+                     "| key | takes | without it | meaning |\n|---|---|---|---|\n";
   for (const SettingKey& key : settings::setting_keys())
     text += row({"`" + key.key + "`", takes(key), or_required(without(key)), key.meaning});
   return text + row({"`param`", "a table of numbers", "the problem's", "physical values of the problem"});

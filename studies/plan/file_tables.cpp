@@ -104,7 +104,8 @@ FileTable criterion_table() {
       "[[criterion]]",
       "What is asked of the results, as a number with bounds. All criteria of a claim make its verdict "
       "([measuring.md](measuring.md#criteria-and-verdicts)). Commit a criterion before its first full run; "
-      "if its bounds, its window or all of it came later, end its `statement` with so: `(bounds set after a run)` "
+      "if its bounds, its window or all of it came later, the end of its `statement` says so: `(bounds set after a "
+      "run)` "
       "([how-sure.md](how-sure.md#before-or-after-the-run)).",
       false,
       {{"claim", "text", "", "id of a claim that the file names or states"},

@@ -177,6 +177,10 @@ void Database::each(const std::string& query, const Values& values,
   idle_.insert_or_assign(query, std::move(statement));
 }
 
+std::vector<std::string> Database::columns(const std::string& query) const {
+  return column_names(prepared(query).get());
+}
+
 Value Database::scalar(const std::string& query, const Values& values) const {
   std::optional<Value> first;
   each(query, values, [&](const Row& row) {

@@ -102,6 +102,9 @@ class Database {
   /// Calls visit(row) for each row of an answer. A row is valid only during that call.
   void each(const std::string& query, const Values& values, const std::function<void(const Row&)>& visit) const;
 
+  /// Names of the columns of an answer, which may have no rows.
+  std::vector<std::string> columns(const std::string& query) const;
+
   /// First column of the first row; NULL when there is none.
   Value scalar(const std::string& query, const Values& values = {}) const;
 

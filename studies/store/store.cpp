@@ -253,15 +253,14 @@ std::size_t Store::forget(const std::string& study) {
 }
 
 std::string Store::export_csv() const {
-  std::string csv;
-  impl_->database.each(
+  const std::string runs =
       "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
-      "ON provenance.id = runs.provenance ORDER BY runs.id",
-      {}, [&](const Row& row) {
-        require_intact(impl_->database, Sealed::run, row["id"]);
-        if (csv.empty()) csv = support::csv_line(row.names());
-        csv += support::csv_line(texts_of(row.values()));
-      });
+      "ON provenance.id = runs.provenance ORDER BY runs.id";
+  std::string csv = support::csv_line(impl_->database.columns(runs));
+  impl_->database.each(runs, {}, [&](const Row& row) {
+    require_intact(impl_->database, Sealed::run, row["id"]);
+    csv += support::csv_line(texts_of(row.values()));
+  });
   return csv;
 }
 

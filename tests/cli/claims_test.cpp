@@ -73,6 +73,28 @@ TEST_F(Claims, HaveAPageEach) {
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
 }
 
+/// The page of a claim with one criterion, as a study left it in a store.
+std::string page_of(const records::ClaimPart& part) {
+  const Folder folder;
+  records::StudyResult study;
+  study.name = "s", study.claims = {part.claim}, study.parts = {part};
+  store::Store(folder / "r.db", store::Store::Mode::create_or_write).keep_study(study, {}, store::current_provenance());
+  return call(folder, "claims --verbose " + part.claim + " --db " + (folder / "r.db")).out;
+}
+
+TEST(ClaimsPage, OfNumbersThatLookTheSameHasNoRange) {
+  records::ClaimPart part{"C", "near one", records::PartVerdict::holds, "", "", "value", 0.5};
+  part.found = {{"a", 1.0000001}, {"b", 1.0000002}, {"c", 1.0000003}};
+  EXPECT_THAT(page_of(part), ContainsRegex("at least 0.5 +1 +near one\n"));
+}
+
+TEST(ClaimsPage, PartsEvidenceOutsideOfNamesAlone) {
+  const records::ClaimPart part{"C", "asked", records::PartVerdict::holds,
+                                "l2 of 'a; b' = 1; l2 of 'Euler's; c' = 2; the case's cost = 3", ""};
+  EXPECT_THAT(page_of(part),
+              HasSubstr("\n    l2 of 'a; b' = 1\n    l2 of 'Euler's; c' = 2\n    the case's cost = 3\n"));
+}
+
 TEST(ClaimsOfTheProgram, SayWithoutWhichOfItsStudiesTheyAreJudged) {
   const Folder folder;
   const std::string db = store_of(folder);  // names the claim of a study that comes with the program, s-fig10

@@ -144,6 +144,14 @@ TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
   check(check, "");
 }
 
+TEST_F(Help, IsWrappedOnTheNarrowestTerminal) {
+  std::istringstream lines(on_terminal(folder_, 20, "db --help"));
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("  mpmvv")) {
+      EXPECT_LE(columns_of(line), 42U) << line;
+    }
+}
+
 TEST_F(Help, ShowsValuesAndDefaults) {
   const std::string run = help("run");
   EXPECT_THAT(run, AllOf(HasSubstr("--basis WORD            grid basis functions: linear, bspline2, "),
@@ -158,7 +166,8 @@ TEST_F(Help, ShowsValuesAndDefaults) {
 TEST_F(Help, SaysWhichOptionsAnExpressionNeedsForParticlesAlone) {
   const std::string text = std::regex_replace(help("expression"), std::regex("\n +"), " ");
   EXPECT_THAT(text, AllOf(HasSubstr("cells per length L of the problem (required with --form per-particle)"),
-                          HasSubstr("(this or --dt is required with --form per-particle)"), HasSubstr(" (required) ")));
+                          HasSubstr("(this or --dt is required with --form per-particle)"), HasSubstr(" (required) "),
+                          HasSubstr("which alone takes the options of a whole case")));
 }
 
 }  // namespace mpmvv::cli::help_test

@@ -16,7 +16,7 @@ const std::string build = std::filesystem::path(MPMVV_PROGRAM).parent_path();
 
 TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
   const Folder folder;
-  const std::string installed = folder / "installed", moved = folder / "moved";
+  const std::string installed = folder / "installed", moved = folder / "moved", before = folder.write("before", "");
   const Answer install = shell("cmake --install '" + build + "' --prefix '" + installed + "' 2>&1");
   ASSERT_EQ(install.code, 0) << install.out;
   for (const char* file :
@@ -26,6 +26,7 @@ TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
         "share/mpmvv/adapters/small-mpm/adapter.toml"})
     EXPECT_TRUE(std::filesystem::exists(installed + "/" + file)) << file;
   EXPECT_FALSE(std::filesystem::exists(installed + "/share/mpmvv/studies/CMakeLists.txt"));
+  EXPECT_EQ(shell("find '" + build + "' -name 'mpmvv.*' -newer '" + before + "'").out, "") << "left in the build";
   std::filesystem::rename(installed, moved);
   const Answer gate = shell("cd '" + (folder / "") + "' && PATH='" + moved +
                             "/bin':\"$PATH\" && mpmvv study s-jump --db r.db "

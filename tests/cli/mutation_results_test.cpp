@@ -10,12 +10,14 @@ namespace mpmvv::cli::mutation_results_test {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A store, and beside it and in tests/mutation what a campaign may have left.
+/// A tree with its program and a store, and beside this and in tests/mutation what a campaign may have left.
 class MutationResultsOnDisk : public testing::Test {
  protected:
   MutationResultsOnDisk() {
-    std::filesystem::create_directories(folder_ / "tests/mutation");
-    std::filesystem::create_directories(folder_ / "results");
+    for (const char* folder : {"build/release", "tests/mutation", "results", "elsewhere/tests/mutation"})
+      std::filesystem::create_directories(folder_ / folder);
+    std::filesystem::copy(program(), folder_ / "build/release");
+    std::filesystem::create_directory_symlink(MPMVV_SOURCE_DIR "/studies", folder_ / "studies");
     store::Store store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
     records::StudyResult breadth;
     breadth.name = "x-breadth", breadth.kind = records::StudyKind::check, breadth.claims = {"X-mutants"};
@@ -55,7 +57,7 @@ class MutationResultsOnDisk : public testing::Test {
   }
 
   Answer in_folder(const std::string& arguments) const {
-    return call(folder_, arguments, "cd '" + (folder_ / "") + "' && ");
+    return carry_out(folder_, "build/release/mpmvv " + arguments);
   }
 
   /// The claim on mutants.
@@ -76,6 +78,19 @@ TEST_F(MutationResultsOnDisk, AreJudgedWhereTheyAreOfThisProgram) {
   folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
   EXPECT_EQ(claim()["verdict"], "partly") << "no runs without a mistake";
   EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("5 of 5; 0 by the quick gate alone, 5 by the unit"));
+}
+
+/// A project of one's own may have a folder of that name for its own tests.
+TEST_F(MutationResultsOnDisk, AreNotThoseOfTheFolderWhereTheProgramIsCalled) {
+  folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
+  const auto called_elsewhere = [&] {
+    return carry_out(folder_, "cd elsewhere && ../build/release/mpmvv claims X-mutants --db ../results/r.db");
+  };
+  EXPECT_THAT(called_elsewhere().out, HasSubstr("X-mutants: partly"));
+  folder_.write("elsewhere/tests/mutation/summary.json", "{\"score\": 5}");
+  folder_.write("elsewhere/tests/mutation/alarms.toml", "bells = 2\n");
+  const Answer answer = called_elsewhere();
+  EXPECT_THAT(answer.out, HasSubstr("X-mutants: partly")) << answer.err;
 }
 
 TEST_F(MutationResultsOnDisk, OfTheStoresFolderCountWhereTheyKnowMore) {
@@ -110,6 +125,12 @@ TEST_F(MutationResultsOnDisk, AreNotHeldAgainstAnEarlierVersion) {
   const std::string page = read_text(folder_ / "report/index.html");
   EXPECT_THAT(page, HasSubstr("Since the version before"));
   EXPECT_THAT(page, Not(HasSubstr("was open")));
+}
+
+TEST_F(MutationResultsOnDisk, HaveNoReportInTheirPlace) {
+  for (const char* out : {"tests/mutation", "tests"})
+    EXPECT_THAT(in_folder(std::string("report --db results/r.db --out ") + out).err,
+                HasSubstr(std::string(out) + " is a folder that holds '"));
 }
 
 TEST_F(MutationResultsOnDisk, AnythingElseIsRefused) {

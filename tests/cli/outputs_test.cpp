@@ -13,10 +13,8 @@ using testing::HasSubstr;
 class Outputs : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(folder / "tests/mutation");
     std::filesystem::create_directories(folder / "goldens");
     folder.write("goldens/g.toml", "[[order]]\n");
-    folder.write("tests/mutation/summary.json", "{}\n");
     records::StudyResult study;
     study.name = "s", study.text = small_study;
     store::Store made(folder / "v.db", store::Store::Mode::create_or_write);
@@ -54,15 +52,13 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
   }
   EXPECT_EQ(read_text(folder / "v.db"), store);
   EXPECT_EQ(read_text(folder / "goldens/g.toml"), "[[order]]\n");
-  EXPECT_EQ(read_text(folder / "tests/mutation/summary.json"), "{}\n");
   EXPECT_EQ(read_text(folder / "s.toml"), small_study);
 }
 
 TEST_F(Outputs, AreNoFolderThatHoldsAnInput) {
   const std::string cd = "cd '" + (folder / "") + "' && ";
   for (const char* arguments :
-       {"report --db v.db --out tests/mutation", "report --db v.db --out tests", "report --db v.db --out goldens",
-        "report --db v.db --out same-goldens", "report --db soft --out ."}) {
+       {"report --db v.db --out goldens", "report --db v.db --out same-goldens", "report --db soft --out ."}) {
     const Answer answer = call(folder, std::string(arguments) + " --goldens goldens", cd);
     EXPECT_EQ(answer.code, 2) << arguments;
     EXPECT_THAT(answer.err, HasSubstr("is a folder that holds '")) << arguments;

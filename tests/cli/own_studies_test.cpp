@@ -130,6 +130,14 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_THAT(in_folder("mpmvv study s-jump.tom --db results.db").err, HasSubstr("no study 's-jump.tom'"));
 }
 
+TEST_F(OwnStudies, AreNoFoldersOfTheirNames) {
+  for (const char* folder : {"s-jump", "s-jumpe", "s-jumpe.toml"})
+    std::filesystem::create_directories(folder_ / folder);
+  const Answer study = in_folder("mpmvv study s-jump --db results.db");
+  EXPECT_EQ(study.code, 0) << study.err;
+  EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err, HasSubstr("(did you mean 's-jump'? "));
+}
+
 TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
   const std::string theirs = read_text(std::string(MPMVV_SOURCE_DIR) + "/studies/cost.txt");
   const auto first = theirs.find("\n--problem") + 1;

@@ -81,7 +81,7 @@ TEST(GateCommand, ATrialPassesOnlyWhereItIsAskedFor) {
   EXPECT_EQ(call(folder, gate).code, 0) << "the study as it stands";
 }
 
-TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
+TEST(GateCommand, SaysWhichStudyFileIsNotWhatWasRun) {
   const Folder folder;
   for (const char* name : {"studies", "goldens"}) std::filesystem::create_directories(folder / name);
   folder.write("studies/small.toml", small_study);
@@ -92,11 +92,16 @@ TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
   folder.write("studies/small.toml", small_study + std::string("# another day\n"));
   const Answer gated = carry_out(folder, "mpmvv gate --db r.db");
   EXPECT_EQ(gated.code, 0);
-  EXPECT_THAT(gated.err, HasSubstr("small: studies/small.toml has changed since it was run"));
+  EXPECT_THAT(gated.err, HasSubstr("small: studies/small.toml is not what was run"));
   folder.write("small.toml", small_study);
   EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db").err, "") << "another of its name is not what was run";
   folder.write("small.toml", small_study + std::string("# another day\n"));
-  EXPECT_THAT(carry_out(folder, "mpmvv gate --db r.db").err, HasSubstr("small: small.toml has changed"));
+  EXPECT_THAT(carry_out(folder, "mpmvv gate --db r.db").err, HasSubstr("small: small.toml is not what was run"));
+  std::filesystem::remove(folder / "studies/small.toml");
+  for (const char* other : {"title = \"Another\"\n", "[package]\n", "no TOML"}) {
+    folder.write("small.toml", other);
+    EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db").err, "") << other;
+  }
 }
 
 /// A night on which a study was not run, as its file has another name or its code was not there.

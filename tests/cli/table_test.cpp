@@ -19,6 +19,8 @@ TEST(Lines, AreCountedBrokenAndCutByCharacters) {
   EXPECT_EQ(wrapped("", 4), std::vector<std::string>{""});
   EXPECT_EQ(cut("φ0 + α", 6), "φ0 + α");
   EXPECT_EQ(cut("φ0 + α h", 6), "φ0 + …");
+  EXPECT_EQ(cut("φ0", 1), "…");
+  EXPECT_EQ(cut("φ0", 0), "");
 }
 
 TEST(Numbers, HaveOneFormEach) {

@@ -233,6 +233,7 @@ TEST_F(GoldenDirectory, NothingToReadIsAnError) {
   EXPECT_THAT(message([&] { read_goldens(directory / "absent"); }),
               AllOf(HasSubstr("no directory"), HasSubstr("mpmvv propose")));
   EXPECT_THAT(message([&] { require_directory(directory / "absent"); }), HasSubstr("no directory"));
+  EXPECT_THAT(message([] { require_directory("my bands"); }), HasSubstr("--out 'my bands/NAME.toml'`"));
   EXPECT_NO_THROW(require_directory(directory));
   EXPECT_FALSE(has_goldens(directory));
   EXPECT_FALSE(has_goldens(directory / "absent"));

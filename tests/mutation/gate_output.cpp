@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <regex>
+#include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "tests/mutation/bench.hpp"
@@ -23,14 +25,34 @@ std::string word_behind(const std::string& text, std::size_t mark, std::size_t l
   return text.substr(begin, text.find_first_of(" ,\n", begin) - begin);
 }
 
+struct LineOfFile {
+  std::string path;
+  int number = 0;
+};
+
+/// What the text first names as "path:number:".
+std::optional<LineOfFile> line_named(std::string_view text) {
+  constexpr std::string_view of_paths = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./-";
+  for (auto colon = text.find(':'); colon != std::string_view::npos; colon = text.find(':', colon + 1)) {
+    const std::string_view before = text.substr(0, colon), path = before.substr(before.find_last_not_of(of_paths) + 1);
+    const char* const last = text.data() + text.size();
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data() + colon + 1, last, number);
+    if (!path.empty() && error == std::errc() && end != last && *end == ':')
+      return LineOfFile{fs::path(path).lexically_normal().string(), number};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places) {
-  static const std::regex line_of_file(R"(([\w./-]+):(\d+):.*)");
   std::set<int> edited, both;
-  for (std::sregex_iterator found(output.begin(), output.end(), line_of_file), end; found != end; ++found) {
-    const std::string path = fs::path((*found)[1].str()).lexically_normal().string();
-    const int line = std::stoi((*found)[2].str());
+  std::istringstream lines(output);
+  for (std::string text; std::getline(lines, text);) {
+    const auto named = line_named(text);
+    if (!named) continue;
+    const auto& [path, line] = *named;
     for (const auto& [file, of_file] : places)
       if (path == file || path.ends_with("/" + file))
         for (const ChoicePlace& place : of_file) {

@@ -73,6 +73,24 @@ TEST(Paper, FiguresOfThePapersComeFirstAndInTheirPanels) {
   EXPECT_TRUE(fs::exists(folder / "figures/s-fig9a.tex") && fs::exists(folder / "figures/s-fig9a.pdf"));
 }
 
+TEST(Paper, CaptionsDoNotCompareAFigureWithItself) {
+  const TempFolder folder;
+  records::StudyResult study = of_s();
+  const auto caption_of = [&](const std::string& caption) {
+    study.figures[0].caption = caption;
+    write({study}, folder.path());
+    const std::string text = content(folder / "main.tex"), begin = "\\caption{S Fig. 9. (a) ";
+    const auto from = text.find(begin) + begin.size();
+    return text.substr(from, text.find(" (b) ", from) - from);
+  };
+  EXPECT_EQ(caption_of("An error. Compare S Fig. 9(a)."), "An error.");
+  EXPECT_EQ(caption_of("An error. Compare B Fig. 16.4, left. Of ours."), "An error. Of ours.");
+  EXPECT_EQ(caption_of("An error. Compare S Fig. 9 and ours."), "An error. Compare S Fig. 9 and ours.");
+  EXPECT_EQ(caption_of("An error. Compare N section 2."), "An error. Compare N section 2.");
+  const std::string endless = "An error. Compare S Fig. " + std::string(200'000, '7');
+  EXPECT_EQ(caption_of(endless), endless);
+}
+
 TEST(Paper, SaysWhatOfAPaperIsNotDrawnAndWhy) {
   const TempFolder folder;
   const auto without = write({of_s()}, folder.path()).without;

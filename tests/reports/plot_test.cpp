@@ -120,6 +120,15 @@ TEST(Plot, GnuplotThatHangsIsStopped) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+TEST(Plot, ManyFiguresHaveMoreTime) {
+  const TempFolder folder;
+  pretend_gnuplot(folder / "bin", "sleep 60");
+  const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
+  std::vector<Plot> many(21, plots(synthetic::check())[0]);
+  for (std::size_t k = 0; k < many.size(); ++k) many[k].name = "figure-" + std::to_string(k);
+  EXPECT_THAT(message(many, folder.path(), std::chrono::milliseconds(100)), HasSubstr("still running after 0.3 s"));
+}
+
 TEST(Plot, GnuplotThatDiesIsReported) {
   const TempFolder folder;
   pretend_gnuplot(folder / "bin", "kill -9 $$");

@@ -151,4 +151,11 @@ TEST(CompilersComplaints, NameTheChoicesWhoseLinesTheyName) {
   EXPECT_THAT(choices_named("fluid_solver/grid.hpp:20:1 other/solver/grid.cpp:20:1:", places), IsEmpty());
 }
 
+TEST(CompilersComplaints, MayHaveLinesAndNumbersOfAnyLength) {
+  const std::map<std::string, std::vector<ChoicePlace>> places{{"solver/grid.hpp", {{3, 10, 12, 15}}}};
+  const std::string complaint = "solver/grid.hpp:12:3: error: no", name(1'000'000, 'x'), number(1'000'000, '1');
+  EXPECT_THAT(choices_named(complaint + name + "\n" + name + ":" + number + ":1", places), ElementsAre(3));
+  EXPECT_THAT(choices_named("address 0x1:" + number + ": in " + complaint, places), ElementsAre(3));
+}
+
 }  // namespace mpmvv::mutation::batch_bench_test

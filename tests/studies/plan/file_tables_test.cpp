@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <sstream>
 
 #include "studies/plan/file_reference.hpp"
 #include "studies/plan/study.hpp"
@@ -128,6 +129,14 @@ std::map<std::string, std::string> needs_by_measure() {
     if (std::regex_search(from, found, row)) needs[found[1]] = found[2];
   }
   return needs;
+}
+
+TEST(StudyFileReference, WrapsItsProse) {
+  std::istringstream reference(study_file_reference());
+  for (std::string line; std::getline(reference, line);)
+    if (!line.starts_with('|')) {
+      EXPECT_LE(line.size(), 150U) << line;
+    }
 }
 
 TEST_F(FileTables, SayWhatEveryMeasureNeedsAndItTakesNoOtherKey) {

@@ -193,6 +193,14 @@ TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
   EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,'-O3,Release,\"A \"\"fast\"\", one\""));
 }
 
+TEST_F(StoreTest, CsvOfNoRecordIsItsHead) {
+  Store store(file_, Store::Mode::create_or_write);
+  const std::string head = store.export_csv();
+  EXPECT_THAT(head, HasSubstr("id,case_text,digest,"));
+  store.keep(record(8), provenance());
+  EXPECT_THAT(store.export_csv(), testing::StartsWith(head));
+}
+
 TEST_F(StoreTest, CheckIsEmptyForASoundStore) {
   Store store(file_, Store::Mode::create_or_write);
   store.keep(record(8), provenance());
