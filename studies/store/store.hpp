@@ -50,7 +50,8 @@ class Store {
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
   /// (two processes) is no error; the first one stays, unless it has `failed` or was timed. A failed run gives way to
   /// one that was carried out and to a later failure; only a failure of the case does not give way to one of the
-  /// machine. A sound run gives way to one that was timed, and a timed one also to one that is not sound any more.
+  /// machine. A sound run gives way to one that was timed, and a timed one also to one that is not sound any more,
+  /// unless the machine failed it.
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 

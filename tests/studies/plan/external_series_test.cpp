@@ -100,6 +100,29 @@ TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
 }
 
 TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
+/// The second study times the cases that it shares with the first one anew.
+TEST_F(ExternalSeries, KeepTheirTimesWhereTheMachineFailsToTimeThemAnew) {
+  const auto timed = [](const char* cells) {
+    std::string text = both;
+    text.replace(text.find("[4, 8, 16]"), 10, cells);
+    return text.replace(text.find("code ="), 0, "repeat = 3\n");
+  };
+  const std::filesystem::path full = mover_.top() / "full";
+  mover_.script("test -e '" + full.string() + "' && kill -9 $$\n" + codes::Mover::moving);
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  EXPECT_EQ(run(plan(timed("[4, 8]")), store)[0].failed, 0U);
+  std::ofstream(full) << "no memory";
+  const std::string digest = store::current_provenance().digest;
+  const records::Point sound = store.studies(digest).at(0).series.at(1).points.at(0);
+  StudyPlan more = parse_study(timed("[4, 8, 16]"), mover_.top() / "more.toml");
+  EXPECT_EQ(run(more, store)[0].failed, 3U);
+  const records::Point kept = store.studies(digest).at(0).series.at(1).points.at(0);
+  EXPECT_EQ(kept.y, sound.y);
+  EXPECT_EQ(kept.rounds.session, sound.rounds.session);
+  std::filesystem::remove(full);
+  EXPECT_EQ(run(more, store)[0].failed, 0U);
+}
+
   const std::filesystem::path licence = mover_.top() / "licence";
   mover_.script("test -e '" + licence.string() + "' || exit 1\n" + codes::Mover::moving);
   StudyPlan read = plan(both);
