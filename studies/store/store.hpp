@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +37,10 @@ class Store {
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
+
+  /// Changes how long to wait for another process that locks the store: ten seconds without a patience, which is asked
+  /// with the seconds that a wait has lasted whether to wait on.
+  void wait_with(const std::function<bool(double)>& patience);
 
   /// The record of this case made by this digest, if it is there.
   std::optional<records::Record> find(const cases::Case& c, const std::string& digest) const;
