@@ -10,6 +10,7 @@ namespace mpmvv::plan::study_reader_test {
 using store::store_samples::complaint;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* bars =
     "title = \"Bar\"\nclaims = []\n[fixed]\nproblem = \"bar\"\nboundary = \"periodic\"\ncells = 8\nppc = 2\ncfl = 0.2\n"
@@ -62,3 +63,15 @@ TEST(StudyReader, ChecksTheSettingsThatACheckDoesNotTake) {
 }
 
 }  // namespace mpmvv::plan::study_reader_test
+TEST(StudyReader, RefusesTheSameFitOfASeriesTwice) {
+  const auto read = [](const std::string& what, const std::string& first, const std::string& second) {
+    const std::string of_norm = "[[" + what + "]]\nnorm = \"l2\"\nwindow = ";
+    return complaint([&] { swept("dt = [1e-5, 2e-5, 4e-5, 8e-5]\n", of_norm + first + "\n" + of_norm + second); });
+  };
+  const std::string window = "[1e-5, 8e-5]", of_bars = window + "\nseries = [\"bars\"]";
+  for (const char* what : {"fit", "extrapolate"})
+    for (const std::string& second : {window, of_bars})
+      EXPECT_THAT(read(what, window, second), HasSubstr("l2 over [1e-05, 8e-05] twice in bar.toml:16")) << what;
+  EXPECT_THAT(read("fit", of_bars, "[1e-5, 4e-5]"), Not(HasSubstr("twice")));
+}
+
