@@ -26,9 +26,9 @@ using StepCosts = std::map<std::array<std::string, 4>, double>;
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
-/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN. Runs
-/// and studies are kept under a seal: reading one that is not as it was written throws a UsageError. One store object
-/// serves one thread at a time.
+/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN;
+/// an infinite value of a check comes back as it is. Runs and studies are kept under a seal: reading one that is not as
+/// it was written throws a UsageError. One store object serves one thread at a time.
 class Store {
  public:
   enum class Mode { create_or_write, write, read };
