@@ -21,6 +21,7 @@ class ProgressLine {
   /// The function to call with every progress; empty where there is no line.
   std::function<void(const plan::Progress&)> listener();
 
+  void blank();  ///< removes the line until it is drawn again
   void clear();  ///< removes the line for good
 
  private:

@@ -55,9 +55,13 @@ auto interruptible(const StudyOptions& options, const codes::Codes& codes, const
     line.clear();
     stop(options, so_far);
   };
+  const auto on_wait = [&] {
+    line.blank();
+    note("another process has locked {}: waiting for it to end\n", options.db);
+  };
   const auto listener = line.listener();
-  return run(
-      plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes, !options.no_retry});
+  return run(plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes,
+                                 !options.no_retry, on_wait});
 }
 
 /// The part of the work that `--shard` names; all of it without one. `costs` is null where times are guessed.

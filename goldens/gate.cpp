@@ -79,6 +79,7 @@ Judgement judge(const ValueGolden& golden, const StudyResult& study) {
   if (!value) return missing(fmt::format("no value '{}'", golden.name));
   if (std::isnan(value->value)) return inconclusive("", "the value was not measured");
   const std::string measured = fmt::format("{:.6g}", value->value);
+  if (std::isinf(value->value)) return fail(measured, "the value is infinite: the check has diverged");
   if (value->value > golden.upper) return fail(measured, "value above the golden's bound");
   if (value->value < golden.lower) return fail(measured, "value below the golden's bound");
   return pass(measured);

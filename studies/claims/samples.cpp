@@ -21,11 +21,12 @@ double step_size(const records::Point& point, const std::string& sweep) {
 }
 
 bool has_step_size(const std::string& sweep) {
-  return sweep != "order" && sweep != "wall_depth";
+  constexpr std::array swept{"cells", "ppc", "cfl", "dt"};
+  return std::ranges::find(swept, sweep) != swept.end();
 }
 
 bool is_finer(double a, double b, const std::string& sweep) {
-  if (!has_step_size(sweep)) return a > b;
+  if (sweep == "order" || sweep == "wall_depth") return a > b;
   return step_size(a, sweep) < step_size(b, sweep);
 }
 

@@ -17,8 +17,7 @@ double step_size(double x, const std::string& sweep);
 /// That of a check's curve is not known, nor of a code with a step of its own; they have the swept value.
 double step_size(const records::Point& point, const std::string& sweep);
 
-/// Whether swept values are step sizes, or numbers of cells or particles: not the terms of an expansion or the depth of
-/// a wall.
+/// Whether swept values are step sizes, or numbers of cells or particles, so that an order has a meaning over them.
 bool has_step_size(const std::string& sweep);
 
 /// Whether the swept value `a` means a finer grid, a smaller step, more particles, a higher order or a deeper wall

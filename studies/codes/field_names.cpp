@@ -1,7 +1,6 @@
 #include "studies/codes/field_names.hpp"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include "solver/boundary/boundaries.hpp"
@@ -26,57 +25,62 @@ void add_axes(Names& names) {
   }
 }
 
-Names all_names() {
-  Names names{"program",
-              "adapter",
-              "cells",
-              "ppc",
-              "particles_per_cell",
-              "h",
-              "particle_width",
-              "dt",
-              "steps",
-              "end_time",
-              "before_end",
-              "cfl",
-              "wave_speed",
-              "dimension",
-              "problem",
-              "material",
-              "boundary",
-              "variant",
-              "force_form",
-              "youngs_modulus",
-              "poissons_ratio",
-              "lambda",
-              "mu",
-              "bulk_modulus",
-              "density",
-              "has_initial_velocity",
-              "has_initial_deformation",
-              "is_quarter",
-              "is_line",
-              "is_plane",
-              "is_solid",
-              "particles",
-              "particle_count",
-              "id",
-              "m",
-              "V",
-              "X",
-              "Y",
-              "Z",
-              "is_first",
-              "is_last"};
-  constexpr auto boundaries = solver::words<solver::AnyBoundary>();
-  add_words(names, "is_", boundaries);
-  add_words(names, "is_", cases::words_of(cases::ForceForm{}));
-  add_axes(names);
+/// Those that one word or number of the case makes.
+Names names_of_case() {
+  return {"program",
+          "adapter",
+          "cells",
+          "ppc",
+          "particles_per_cell",
+          "h",
+          "particle_width",
+          "dt",
+          "steps",
+          "end_time",
+          "before_end",
+          "cfl",
+          "wave_speed",
+          "dimension",
+          "problem",
+          "material",
+          "boundary",
+          "variant",
+          "force_form",
+          "youngs_modulus",
+          "poissons_ratio",
+          "lambda",
+          "mu",
+          "bulk_modulus",
+          "density",
+          "has_initial_velocity",
+          "has_initial_deformation",
+          "is_quarter",
+          "is_line",
+          "is_plane",
+          "is_solid",
+          "particles",
+          "particle_count"};
+}
+
+void add_particle(Names& names) {
+  names.insert({"id", "m", "V", "X", "Y", "Z", "is_first", "is_last"});
+}
+
+void add_faces(Names& names) {
   for (std::size_t face = 0; face < 6; ++face) {
     const std::string name = face_name(face);
     names.insert({"boundary_" + name, name + "_position", name + "_velocity"});
-    add_words(names, name + "_is_", boundaries);
+    add_words(names, name + "_is_", solver::words<solver::AnyBoundary>());
   }
+}
+
+Names all_names() {
+  Names names = names_of_case();
+  add_words(names, "is_", solver::words<solver::AnyBoundary>());
+  add_words(names, "is_", cases::words_of(cases::ForceForm{}));
+  add_particle(names);
+  add_axes(names);
+  add_faces(names);
   return names;
 }
 
@@ -91,9 +95,13 @@ std::string face_name(std::size_t face) {
   return std::string(1, "xyz"[face / 2]) + (face % 2 == 0 ? "min" : "max");
 }
 
-bool is_field_of_case(const std::string& name) {
+const std::set<std::string>& names_of_fields() {
   static const Names names = all_names();
-  return name.starts_with("param_") || names.contains(name);
+  return names;
+}
+
+bool is_field_of_case(const std::string& name) {
+  return name.starts_with("param_") || names_of_fields().contains(name);
 }
 
 }  // namespace mpmvv::codes

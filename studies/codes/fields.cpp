@@ -119,7 +119,9 @@ void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fiel
   set_components(fields, "b", all.b);
   set_components(fields, "v0", all.v0);
   set_components(fields, "u", all.u);
-  for (std::size_t d = 0; d < all.F0.size(); ++d) set_components(fields, fmt::format("F0_{}", axes[d]), all.F0[d]);
+  for (std::size_t d = 0; d < all.F0.size(); ++d)
+    for (std::size_t k = 0; k < all.F0[d].size(); ++k)
+      fields.set(fmt::format("F0_{}{}", axes[d], axes[k]), all.F0[d][k]);
   const auto walls = wall_expressions(c, dialect);
   for (std::size_t face = 0; face < walls.size(); ++face) {
     set_some(fields, face_name(face) + "_position", walls[face].position);

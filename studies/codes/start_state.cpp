@@ -51,7 +51,9 @@ StartState start_state(const cases::Case& c) {
   const auto prepared = [&]<int D>(problems::SetupFunction<D>) {
     return state_of(runs::prepare_case<D>(c, problem, 1));
   };
-  return std::visit(prepared, problem.setup);
+  StartState state = std::visit(prepared, problem.setup);
+  if (is_at_rest(state, problem.wave_speed(c.problem.parameters))) state.v.assign(state.size(), Point{});
+  return state;
 }
 
 bool is_at_rest(const StartState& state, double wave_speed) {

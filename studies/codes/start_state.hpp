@@ -9,7 +9,7 @@ namespace mpmvv::codes {
 
 /// The particles with which a case starts, in the order in which it starts with them. SI units. Beyond the problem's
 /// dimension the components of X, x and v are 0, and those of F are those of the identity; volume and mass are then per
-/// metre, or per square metre, across the axes that the problem lacks.
+/// metre, or per square metre, across the axes that the problem lacks. Of a body at rest all velocities are exactly 0.
 struct StartState {
   int dimension = 0;
   std::vector<std::int64_t> id;  ///< 1, 2, ... in the order in which they fill the body

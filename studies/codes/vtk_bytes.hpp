@@ -12,12 +12,11 @@ struct VtkPacking {
   std::string file;             ///< for messages
 };
 
-/// Decodes base64 and skips blanks. Several pieces, each padded, may follow each other. Any other character ends the
-/// text.
-std::string from_base64(std::string_view text);
+enum class VtkEncoding { raw, base64 };
 
-/// Returns the content of the array that begins with the first of the bytes, without its header and uncompressed.
-/// Throws UsageError if it ends early or is damaged.
-std::string unpacked(std::string_view bytes, const VtkPacking& packing);
+/// Returns the content of the array at the beginning of `packed`, without its header and uncompressed. What is behind
+/// the array is not read. In base64 blanks are skipped, and several pieces, each padded, may follow each other. Throws
+/// UsageError if the array ends early or is damaged.
+std::string unpacked(std::string_view packed, VtkEncoding encoding, const VtkPacking& packing);
 
 }  // namespace mpmvv::codes

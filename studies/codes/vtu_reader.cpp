@@ -54,8 +54,8 @@ class VtkFile {
     const auto type = number_type(array.attribute("type").as_string());
     if (!type) fail(fmt::format("type '{}' of '{}'", array.attribute("type").as_string(), name));
     if (format == "ascii") return texts(array.text().get(), components, name, name_of);
-    const std::string bytes =
-        unpacked(format == "appended" ? appended(array) : from_base64(array.text().get()), packing_);
+    const std::string bytes = format == "appended" ? unpacked(appended(array), appended_encoding_, packing_)
+                                                   : unpacked(array.text().get(), VtkEncoding::base64, packing_);
     std::vector<RecordField> fields;
     for (std::size_t k = 0; k < components; ++k) fields.push_back({name_of(k), *type, k * type->size});
     return columns_of(bytes, components * type->size, fields, packing_.is_big_endian);
@@ -73,14 +73,14 @@ class VtkFile {
     const auto begin = end_of_tag == std::string_view::npos ? end_of_tag : rest.find('_', end_of_tag);
     if (begin == std::string_view::npos) fail("no _ before the appended data");
     appended_ = rest.substr(begin + 1);
-    is_base64_ = tag.find("base64") != std::string_view::npos;
+    if (tag.find("base64") != std::string_view::npos) appended_encoding_ = VtkEncoding::base64;
   }
 
-  std::string appended(pugi::xml_node array) const {
+  /// Returns the appended data from where the array begins.
+  std::string_view appended(pugi::xml_node array) const {
     const auto offset = array.attribute("offset").as_ullong();
     if (offset >= appended_.size()) fail(fmt::format("offset {} behind the appended data", offset));
-    const std::string_view from = appended_.substr(offset);
-    return is_base64_ ? from_base64(from.substr(0, from.find('<'))) : std::string(from);
+    return appended_.substr(offset);
   }
 
   template <class NameOf>
@@ -103,7 +103,7 @@ class VtkFile {
   pugi::xml_node data_;
   VtkPacking packing_;
   std::string_view appended_;
-  bool is_base64_ = false;
+  VtkEncoding appended_encoding_ = VtkEncoding::raw;
 };
 
 /// Returns the columns of the arrays of a piece. It reads no array behind one whose numbers are not those of the

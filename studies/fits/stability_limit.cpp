@@ -210,7 +210,8 @@ std::optional<LimitRange> sure_range_of(const StabilityLimit& limit) {
   double end = range->stable_below ? 0 : infinity;
   for (const Probe& p : limit.probes) {
     const bool is_beyond = range->stable_below ? p.value > limit.stable : p.value < limit.stable;
-    if (!p.stable || is_beyond || p.steps < enough_steps) continue;
+    const bool has_too_few = p.steps > 0 && p.steps < enough_steps;
+    if (!p.stable || is_beyond || has_too_few) continue;
     end = range->stable_below ? std::max(end, p.value) : std::min(end, p.value);
   }
   (range->stable_below ? range->lower : range->upper) = end;

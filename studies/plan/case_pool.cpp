@@ -45,7 +45,9 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
       admission_(options.jobs, usable_memory()),
       on_stop_(options.stop, [this] {
         if (options_.on_stop) with_store([this] { options_.on_stop(counts_); });
-      }) {}
+      }) {
+  store_.wait_with([this](double seconds) { return waits_on(seconds); });
+}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(missing(cases));
@@ -204,7 +206,21 @@ int CasePool::threads_for(const Case& c, int images, double memory, double secon
   return takes_much && can_be_shared(c, images) ? options_.jobs : 1;
 }
 
-/// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.
+/// Whether to wait on for another process that locks the store. To merge a large store or to vacuum it takes minutes; a
+/// process that locks it for an hour hangs. The thread that asks is the one that uses the store.
+bool CasePool::waits_on(double seconds) {
+  constexpr double long_time = 2, too_long = 3600;
+  if (options_.stop.stop_requested()) return false;
+  if (seconds < long_time)
+    has_told_of_wait_ = false;
+  else if (!std::exchange(has_told_of_wait_, true) && options_.on_wait)
+    options_.on_wait();
+  has_given_up_ |= seconds > too_long;
+  return !has_given_up_;
+}
+
+/// One thread at a time writes to the store, all that has finished in one transaction; the others go on running. Where
+/// it cannot, one that finishes later tries again.
 void CasePool::keep(std::vector<Record> records) {
   std::unique_lock lock(mutex_);
   std::ranges::move(records, std::back_inserter(finished_));
@@ -217,6 +233,7 @@ void CasePool::keep(std::vector<Record> records) {
       store_.keep(batch, store::with_present_time(provenance_));
     } catch (...) {
       lock.lock();
+      finished_.insert(finished_.begin(), batch.begin(), batch.end());
       write_error_ = std::current_exception();
       is_writing_ = false;
       kept_.notify_all();

@@ -25,6 +25,9 @@ namespace mpmvv::plan {
 class CasePool {
  public:
   CasePool(store::Store& store, const RunnerOptions& options);
+  ~CasePool() { store_.wait_with({}); }
+  CasePool(const CasePool&) = delete;
+  CasePool& operator=(const CasePool&) = delete;
 
   /// Records in the order of the cases. Several threads may call it.
   std::vector<records::Record> get(const std::vector<cases::Case>& cases);
@@ -69,6 +72,7 @@ class CasePool {
   int threads_for(const cases::Case& c, int images, double memory, double seconds_of_all);
   void time_all(const std::vector<cases::Case>& cases);
   void keep(std::vector<records::Record> records);
+  bool waits_on(double seconds);
 
   store::Store& store_;
   RunnerOptions options_;
@@ -85,6 +89,7 @@ class CasePool {
   std::exception_ptr write_error_;         ///< why writing to the store failed
   std::mutex mutex_;                       ///< guards everything above
   std::condition_variable kept_;
+  bool has_told_of_wait_ = false, has_given_up_ = false;  ///< for the thread that waits for a locked store
   Admission admission_;  ///< one for all threads, also when several search limits at once
   std::stop_callback<std::function<void()>> on_stop_;
 };

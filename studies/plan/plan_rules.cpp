@@ -111,7 +111,7 @@ void require_points(const StudyPlan& plan, const fits::Window& window, int least
 }
 
 void require_step_size(const StudyPlan& plan, const std::string& where) {
-  if (!claims::has_step_size(plan.sweep))
+  if (plan.check.empty() && !claims::has_step_size(plan.sweep))
     throw UsageError(fmt::format("a fit in {} over '{}', which is no step size (a sweep over cells, ppc, cfl or dt)",
                                  where, plan.sweep));
 }

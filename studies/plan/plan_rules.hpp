@@ -23,8 +23,8 @@ fits::Window read_window(const support::TomlTable& table, const char* key);
 /// A window must hold enough swept values; the curves of a check are known only when it has run.
 void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where);
 
-/// Throws for a sweep whose values say nothing of a step size: the terms of an expansion, the depth of a wall. A power
-/// law over them has no order, and no limit at zero.
+/// Throws for a sweep whose values say nothing of a step size: the terms of an expansion, the seed of a shuffle. A
+/// power law over them has no order, and no limit at zero. What a check has its curves over is its own affair.
 void require_step_size(const StudyPlan& plan, const std::string& where);
 
 /// Throws where a series is neither swept nor searched; where one of its settings has no effect, because the sweep, the

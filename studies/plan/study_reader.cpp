@@ -147,6 +147,19 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
     throw UsageError(fmt::format("fewer than two replicates in {}", plan.replicates->where));
 }
 
+/// Throws where a fit or an extrapolation before it is of the same norm and window, and shares a series with it.
+template <class Wanted>
+void require_first(const std::vector<Wanted>& before, const Wanted& wanted, const std::string& where) {
+  const auto& [from, to] = wanted.window;
+  const bool is_repeated = std::ranges::any_of(before, [&](const Wanted& other) {
+    const bool shares = wanted.series.empty() || other.series.empty() ||
+                        std::ranges::find_first_of(wanted.series, other.series) != wanted.series.end();
+    return shares && other.norm == wanted.norm && other.window.from == from && other.window.to == to;
+  });
+  if (is_repeated)
+    throw UsageError(fmt::format("{} over [{}, {}] twice in {} (once for each series)", wanted.norm, from, to, where));
+}
+
 void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("extrapolate")) {
     require_known_keys(table, "extrapolate");
@@ -154,6 +167,7 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
     require_points(plan, wanted.window, 4, table.where("window"));
     require_step_size(plan, table.where());
     wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
+    require_first(plan.extrapolations, wanted, table.where());
     plan.extrapolations.push_back(wanted);
   }
 }
@@ -165,6 +179,7 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
     require_points(plan, fit.window, 3, table.where("window"));
     require_step_size(plan, table.where());
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
+    require_first(plan.fits, fit, table.where());
     if (table.has("floor_window")) {
       fit.floor = read_window(table, "floor_window");
       require_points(plan, *fit.floor, 6, table.where("floor_window"));

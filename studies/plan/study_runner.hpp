@@ -18,6 +18,7 @@ struct RunnerCounts {
 };
 
 /// The functions are called by one thread at a time, while others wait that finish a case: they should be quick.
+/// `on_wait` may be called beside another one.
 struct RunnerOptions {
   int jobs = 1;                                           ///< cases at once
   std::function<void(const Progress&)> progress = {};     ///< told of every case that has finished
@@ -25,7 +26,8 @@ struct RunnerOptions {
   std::stop_token stop = {};                              ///< asks to stop before the end
   std::function<void(const RunnerCounts&)> on_stop = {};  ///< then ends the program, while no thread uses the store
   codes::Codes codes = {};                                ///< those of all series
-  bool retries = true;  ///< whether failed cases that are worth another try (record.hpp) are run again
+  bool retries = true;                 ///< whether failed cases that are worth another try (record.hpp) are run again
+  std::function<void()> on_wait = {};  ///< told once each time that another process keeps the store locked for long
 };
 
 struct StudyOutcome {

@@ -17,7 +17,13 @@ using support::UsageError;
 
 namespace {
 
-constexpr int busy_timeout_ms = 10'000;
+/// Waits a moment for another process that locks the file, or says that this has lasted too long (0).
+int wait_on(void* patience, int waits) {
+  constexpr int moment = 10;  // ms
+  if (!(*static_cast<const Patience*>(patience))(1e-3 * moment * waits)) return 0;
+  sqlite3_sleep(moment);
+  return 1;
+}
 
 int bind(sqlite3_stmt* statement, int index, const Value& value) {
   return std::visit(
@@ -102,7 +108,8 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
   connection_.reset(raw);
   require(code);
   sqlite3_extended_result_codes(raw, 1);
-  sqlite3_busy_timeout(raw, busy_timeout_ms);
+  wait_with({});
+  sqlite3_busy_handler(raw, wait_on, patience_.get());
   // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, and saves only one of four syncs.
   execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   if (access == Access::read) execute("PRAGMA query_only = ON");
@@ -110,6 +117,11 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
 
 void Database::Finalizer::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
+}
+
+void Database::wait_with(Patience patience) {
+  constexpr double most = 10;  // s
+  *patience_ = patience ? std::move(patience) : [](double seconds) { return seconds < most; };
 }
 
 bool Database::writable() const {
@@ -213,8 +225,7 @@ void Database::fail(int code) const {
     case SQLITE_FULL:
       throw UsageError(fmt::format("no space left to write {} (free some; what it held before is intact)", name));
     case SQLITE_BUSY:
-      throw UsageError(fmt::format("{} is locked by another process for over {} s (wait for it to end)", name,
-                                   busy_timeout_ms / 1000));
+      throw UsageError(fmt::format("{} is locked by another process (wait for it to end)", name));
     case SQLITE_READONLY:
       throw UsageError(fmt::format("{} is read-only (make it and its folder writable, or name another file)", name));
     case SQLITE_CANTOPEN:

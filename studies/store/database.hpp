@@ -76,6 +76,10 @@ class Row {
   Values values_;
 };
 
+/// Asked again and again while another process locks the file, with the seconds that this has lasted: whether to wait
+/// on.
+using Patience = std::function<bool(double seconds)>;
+
 /// One connection to an SQLite file, foreign keys on. Every error of SQLite is a UsageError with the file's name.
 class Database {
  public:
@@ -86,6 +90,9 @@ class Database {
   const std::filesystem::path& file() const { return file_; }
   bool writable() const;
   bool in_transaction() const;
+
+  /// Changes how long to wait for another process that locks the file: ten seconds without a patience.
+  void wait_with(Patience patience);
 
   /// Executes statements without parameters or answers, separated by semicolons.
   void execute(const std::string& statements);
@@ -126,6 +133,7 @@ class Database {
   [[noreturn]] void fail(int code) const;
 
   std::filesystem::path file_;
+  std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();  ///< the connection knows its place
   std::unique_ptr<sqlite3, Closer> connection_;
   /// Prepared statements by their texts, kept because preparing takes longer than running most statements. A statement
   /// that is running is not among them.

@@ -204,7 +204,8 @@ void insert_study(Database& database, const StoredStudy& study) {
                [&](const std::string& claim) { return claim_columns(claim, s.statements); });
   for (std::size_t k = 0; k < s.parts.size(); ++k) insert_part(database, id, k, s.parts[k]);
   insert_items(database, "check_values", parent, s.values, [](const mpmvv::records::Value& v) {
-    return Columns{{"name", v.name}, {"value", v.value}, {"meaning", v.meaning}};
+    const double value = std::isinf(v.value) ? std::copysign(for_infinity, v.value) : v.value;
+    return Columns{{"name", v.name}, {"value", value}, {"meaning", v.meaning}};
   });
   const std::vector<std::string> no_runs;
   for (std::size_t k = 0; k < s.series.size(); ++k)

@@ -126,7 +126,10 @@ records::Figure load_figure(const Database& database, const Row& row) {
 }
 
 records::Value load_value(const Row& row) {
-  return {.name = row["name"].text(), .value = row["value"].real(), .meaning = row["meaning"].text()};
+  const double kept = row["value"].real();
+  const double value =
+      std::abs(kept) == for_infinity ? std::copysign(std::numeric_limits<double>::infinity(), kept) : kept;
+  return {.name = row["name"].text(), .value = value, .meaning = row["meaning"].text()};
 }
 
 records::Found load_found(const Row& row) {

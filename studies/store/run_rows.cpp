@@ -68,7 +68,7 @@ std::int64_t insert_run_row(Database& database, const Columns& columns, const Va
       fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} WHERE status = 'failed' AND "
                   "(excluded.status <> 'failed' OR excluded.failure IS 'case' OR failure IS NOT 'case') "
                   "OR status = 'ok' AND excluded.cost_session IS NOT NULL "
-                  "OR cost_session IS NOT NULL AND excluded.status <> 'ok'",
+                  "OR cost_session IS NOT NULL AND excluded.status <> 'ok' AND excluded.failure IS NOT 'machine'",
                   fmt::join(replacements, ", ")));
   if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
   return kept;

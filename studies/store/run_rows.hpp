@@ -18,7 +18,7 @@ Provenance read_provenance(const Row& row);
 
 /// Keeps a run unless its key is there. A `failed` run gives way to one that was carried out and to a later failure;
 /// only a failure of the case does not give way to one of the machine. A sound run gives way to one that was timed
-/// later, with others; one that was timed also to one that is not sound any more.
+/// later, with others; one that was timed also to one that is not sound any more, unless the machine failed it.
 void insert_run(Database& database, const records::Record& r, const Provenance& p);
 
 /// The same with a row's columns; returns 1 when it was kept, else 0.

@@ -71,6 +71,10 @@ Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
+void Store::wait_with(const std::function<bool(double)>& patience) {
+  impl_->database.wait_with(patience);
+}
+
 std::optional<records::Record> Store::find(const Case& c, const std::string& digest) const {
   return find_run(impl_->database, c, digest);
 }

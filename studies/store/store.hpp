@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,9 +26,9 @@ using StepCosts = std::map<std::array<std::string, 4>, double>;
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
-/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN. Runs
-/// and studies are kept under a seal: reading one that is not as it was written throws a UsageError. One store object
-/// serves one thread at a time.
+/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN;
+/// an infinite value of a check comes back as it is. Runs and studies are kept under a seal: reading one that is not as
+/// it was written throws a UsageError. One store object serves one thread at a time.
 class Store {
  public:
   enum class Mode { create_or_write, write, read };
@@ -36,6 +37,10 @@ class Store {
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
+
+  /// Changes how long to wait for another process that locks the store: ten seconds without a patience, which is asked
+  /// with the seconds that a wait has lasted whether to wait on.
+  void wait_with(const std::function<bool(double)>& patience);
 
   /// The record of this case made by this digest, if it is there.
   std::optional<records::Record> find(const cases::Case& c, const std::string& digest) const;
@@ -50,7 +55,8 @@ class Store {
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
   /// (two processes) is no error; the first one stays, unless it has `failed` or was timed. A failed run gives way to
   /// one that was carried out and to a later failure; only a failure of the case does not give way to one of the
-  /// machine. A sound run gives way to one that was timed, and a timed one also to one that is not sound any more.
+  /// machine. A sound run gives way to one that was timed, and a timed one also to one that is not sound any more,
+  /// unless the machine failed it.
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct StoredStudy {
   std::string codes;                            ///< the lines of the codes that ran some of these (code_versions.hpp)
   Provenance provenance;
 };
+
+/// Stands for infinity in the value of a check, with its sign: a value that is not measured is NULL.
+inline constexpr double for_infinity = std::numeric_limits<double>::max();
 
 /// Inserts a study of a name, digest and codes that are not there yet. A point that is a run takes its quantities from
 /// the run, which must be there; only those in which the point differs are kept as its own.

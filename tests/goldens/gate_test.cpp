@@ -5,6 +5,7 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "tests/goldens/healthy_study.hpp"
+#include "tests/numbers.hpp"
 
 namespace mpmvv::goldens::gate_test {
 
@@ -200,6 +201,8 @@ TEST(Gate, ValuesAreHeldAgainstTheirBounds) {
   EXPECT_EQ(judge_value(both, 1.5), Verdict::pass);
   EXPECT_EQ(judge_value(both, 2.1), Verdict::fail);
   EXPECT_EQ(judge_value(both, not_measured), Verdict::inconclusive);
+  for (const ValueGolden& golden : {at_most, at_least})
+    for (const double diverged : {infinity, -infinity}) EXPECT_EQ(judge_value(golden, diverged), Verdict::fail);
 }
 
 TEST(Gate, AStatusMustBeTheExpectedOne) {

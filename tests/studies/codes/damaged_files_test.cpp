@@ -29,6 +29,8 @@ std::vector<std::pair<std::string, std::string>> sound_files() {
           {"vtu", vtu(f, 5, Vtk::base64)},
           {"vtu", vtu(f, 5, Vtk::raw)},
           {"vtu", vtu(f, 5, Vtk::zlib)},
+          {"vtu", vtu(f, 5, Vtk::base64_appended)},
+          {"vtu", vtu(f, 5, Vtk::zlib_appended)},
           {"vtk", legacy_vtk(f, 5, Bytes::text)},
           {"vtk", legacy_vtk(f, 5, Bytes::big)},
           {"nairn", nairn(s)}};

@@ -74,6 +74,8 @@ TEST_F(RoundTrip, EveryFormatScoresAsTheRunItself) {
         {"base64.vtu", vtu(f, n, Vtk::base64)},
         {"raw.vtu", vtu(f, n, Vtk::raw)},
         {"zlib.vtu", vtu(f, n, Vtk::zlib)},
+        {"appended.vtu", vtu(f, n, Vtk::base64_appended)},
+        {"blocks.vtu", vtu(f, n, Vtk::zlib_appended)},
         {"text.vtk", legacy_vtk(f, n, Bytes::text)},
         {"big.vtk", legacy_vtk(f, n, Bytes::big)},
     };

@@ -44,6 +44,7 @@ TEST(StartState, KnowsWhatStartsAtRest) {
   for (const char* problem : {"bar-rest", "square-rest", "square-inverse", "cube-rest"}) {
     const StartState state = state_of(problem);
     EXPECT_TRUE(is_at_rest(state, 100)) << problem;
+    EXPECT_EQ(state.v, std::vector<Point>(state.size())) << problem;
     EXPECT_TRUE(is_undeformed(state)) << problem;
     EXPECT_EQ(state.X, state.x) << problem;
   }

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
+#include "studies/codes/field_names.hpp"
 #include "studies/codes/fields.hpp"
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/mover.hpp"
@@ -79,6 +81,23 @@ TEST_F(TemplateFieldsOfCases, SayHowWallsMove) {
   EXPECT_THAT([&] { filled("{{ymin_position}}", swing()); },
               ThrowsMessage<UsageError>(AllOf(HasSubstr("'ymin_position'"), HasSubstr("{{#ymin_is_wall}}"))));
   EXPECT_THAT([&] { filled("{{zmin_position}}", swing()); }, ThrowsMessage<UsageError>(HasSubstr("fewer dimensions")));
+}
+
+/// In a cube, or between walls, which no problem has along y or z.
+TEST_F(TemplateFieldsOfCases, AreAllThatAreKnown) {
+  mover_.adapter(Mover::text + std::string("[expressions]\ndialect = \"python\"\n"));
+  auto settings = Mover::settings();
+  settings[0].value = "cube";
+  const std::regex motion("(.)(min|max)_(position|velocity)");
+  std::string of_cube = "{{#particles}}{{#is_first}}", of_walls;
+  for (const std::string& name : names_of_fields()) {
+    if (std::smatch axis; !std::regex_match(name, axis, motion))
+      of_cube += "{{" + name + "}}\n";
+    else if (axis[1] == "x")
+      of_walls += "{{" + name + "}}\n";
+  }
+  EXPECT_NO_THROW(filled(of_cube + "{{/is_first}}{{/particles}}", settings::make_case(settings)));
+  EXPECT_NO_THROW(filled(of_walls, swing()));
 }
 
 TEST_F(TemplateFieldsOfCases, OfTheWholeBoundaryAreNotEnoughWhereFacesDiffer) {

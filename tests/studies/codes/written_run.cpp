@@ -72,8 +72,8 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// In blocks of 100 bytes, the last one with what is left.
-std::string compressed(const std::string& bytes) {
+/// A header and blocks of 100 bytes, the last one with what is left.
+std::pair<std::string, std::string> compressed(const std::string& bytes) {
   constexpr std::size_t block = 100;
   const std::size_t blocks = (bytes.size() + block - 1) / block;
   std::string header =
@@ -88,7 +88,17 @@ std::string compressed(const std::string& bytes) {
     header += word(static_cast<std::uint32_t>(size));
     all += packed.substr(0, size);
   }
-  return base64(header) + base64(all);
+  return {header, all};
+}
+
+/// An array with its header. zlib_appended has no base64.
+std::string packed(const std::string& bytes, Vtk kind) {
+  if (kind == Vtk::zlib || kind == Vtk::zlib_appended) {
+    const auto [header, blocks] = compressed(bytes);
+    return kind == Vtk::zlib ? base64(header) + base64(blocks) : header + blocks;
+  }
+  const std::string headed = word(static_cast<std::uint32_t>(bytes.size())) + bytes;
+  return kind == Vtk::raw ? headed : base64(headed);
 }
 
 }  // namespace
@@ -117,16 +127,15 @@ std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kin
     for (std::size_t p = 0; p < particles; ++p)
       for (int k = 0; k < components; ++k)
         text += fmt::format("{:.17g} ", value(p, k)), bytes += bytes_of(value(p, k), false);
-    const std::string headed = word(static_cast<std::uint32_t>(bytes.size())) + bytes;
     const std::string head =
         fmt::format(R"(<DataArray type="Float64" Name="{}" NumberOfComponents="{}" format=)", name, components);
-    if (kind == Vtk::raw) {
+    if (kind >= Vtk::raw) {
       const std::size_t offset = appended.size();
-      appended += headed;
+      appended += packed(bytes, kind);
       return fmt::format("{}\"appended\" offset=\"{}\"/>\n", head, offset);
     }
     if (kind == Vtk::text) return fmt::format("{}\"ascii\">{}</DataArray>\n", head, text);
-    return fmt::format("{}\"binary\">{}</DataArray>\n", head, kind == Vtk::zlib ? compressed(bytes) : base64(headed));
+    return fmt::format("{}\"binary\">{}</DataArray>\n", head, packed(bytes, kind));
   };
   const auto find = [&](const std::string& name) {
     return std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.first == name; })->second;
@@ -141,8 +150,11 @@ std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kin
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"{}>\n"
       "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"0\">\n<Points>\n{}</Points>\n<PointData>\n"
       "{}</PointData>\n</Piece>\n</UnstructuredGrid>\n{}</VTKFile>\n",
-      kind == Vtk::zlib ? " compressor=\"vtkZLibDataCompressor\"" : "", particles, points, arrays,
-      kind == Vtk::raw ? "<AppendedData encoding=\"raw\">\n_" + appended + "\n</AppendedData>\n" : "");
+      kind == Vtk::zlib || kind == Vtk::zlib_appended ? " compressor=\"vtkZLibDataCompressor\"" : "", particles, points,
+      arrays,
+      kind < Vtk::raw ? ""
+                      : fmt::format("<AppendedData encoding=\"{}\">\n_{}\n</AppendedData>\n",
+                                    kind == Vtk::base64_appended ? "base64" : "raw", appended));
 }
 
 std::string legacy_vtk(const std::vector<Field>& fields, std::size_t particles, Bytes bytes) {

@@ -99,7 +99,7 @@ using Field = std::pair<std::string, std::function<double(std::size_t)>>;
 std::vector<Field> fields(const State& s, bool has_id, bool has_X);
 
 enum class Bytes { text, little, big };
-enum class Vtk { text, base64, raw, zlib };
+enum class Vtk { text, base64, zlib, raw, base64_appended, zlib_appended };  ///< raw: appended, too
 
 std::string csv(const std::vector<Field>& fields, std::size_t particles, int digits = 17);
 std::string ply(const std::vector<Field>& fields, std::size_t particles, Bytes bytes);

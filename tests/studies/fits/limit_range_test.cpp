@@ -87,6 +87,9 @@ TEST(LimitRange, IsSureOnTheSideOfStableRunsByThoseWithEnoughSteps) {
   EXPECT_EQ(sure(above).upper, 0.6);
   const StabilityLimit old{.key = "cfl", .stable = 2, .probes = {{1, true, ""}, {2, true, ""}}};
   EXPECT_EQ(sure(old).lower, 2) << "stores of older versions do not know the steps";
+  const StabilityLimit mixed{
+      .key = "cfl", .stable = 3, .probes = {{1, true, "", 60}, {2, true, ""}, {3, true, "", 5}, {4, false, "", 3}}};
+  EXPECT_EQ(sure(mixed).lower, 2) << "unknown steps count as enough";
   EXPECT_FALSE(sure_range_of({.key = "cfl", .stable = 2, .probes = {{1, true, "", 9}, {2, true, "", 5}}}));
 }
 

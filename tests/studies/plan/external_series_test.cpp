@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "studies/plan/study_runner.hpp"
+#include "studies/store/database.hpp"
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/mover.hpp"
 
@@ -99,6 +100,29 @@ TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
   EXPECT_EQ(counts.ran, 3U) << "another program runs anew";
 }
 
+/// The second study times the cases that it shares with the first one anew.
+TEST_F(ExternalSeries, KeepTheirTimesWhereTheMachineFailsToTimeThemAnew) {
+  const auto timed = [](const char* cells) {
+    std::string text = both;
+    text.replace(text.find("[4, 8, 16]"), 10, cells);
+    return text.replace(text.find("code ="), 0, "repeat = 3\n");
+  };
+  const std::filesystem::path full = mover_.top() / "full";
+  mover_.script("test -e '" + full.string() + "' && kill -9 $$\n" + codes::Mover::moving);
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  EXPECT_EQ(run(plan(timed("[4, 8]")), store)[0].failed, 0U);
+  std::ofstream(full) << "no memory";
+  const std::string digest = store::current_provenance().digest;
+  const records::Point sound = store.studies(digest).at(0).series.at(1).points.at(0);
+  StudyPlan more = parse_study(timed("[4, 8, 16]"), mover_.top() / "more.toml");
+  EXPECT_EQ(run(more, store)[0].failed, 3U);
+  const records::Point kept = store.studies(digest).at(0).series.at(1).points.at(0);
+  EXPECT_EQ(kept.y, sound.y);
+  EXPECT_EQ(kept.rounds.session, sound.rounds.session);
+  std::filesystem::remove(full);
+  EXPECT_EQ(run(more, store)[0].failed, 0U);
+}
+
 TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
   const std::filesystem::path licence = mover_.top() / "licence";
   mover_.script("test -e '" + licence.string() + "' || exit 1\n" + codes::Mover::moving);
@@ -117,6 +141,36 @@ TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
   options.retries = true;
   EXPECT_EQ(run_studies({read}, store, options, counts)[0].failed, 0U);
   EXPECT_EQ(counts.ran, 3U);
+}
+
+/// On 8 cells the code goes on until the store takes runs again.
+TEST_F(ExternalSeries, RunsThatTheStoreRefusesAreKeptWithTheNext) {
+  const std::filesystem::path ready = mover_.top() / "ready", file = mover_.top() / "r.db";
+  mover_.script("test $(wc -l < input.txt) -gt 100 && until test -e '" + ready.string() + "'; do sleep 0.01; done\n" +
+                codes::Mover::moving);
+  std::string text = codes::Mover::study;
+  StudyPlan read = plan(text.erase(text.find("[[fit]]")).replace(text.find("[4, 8, 16]"), 10, "[4, 8]"));
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file, finder), "");
+  RunnerOptions options;
+  options.jobs = 2;
+  options.codes = finder.codes();
+  store::Store store(file, store::Store::Mode::create_or_write);
+  store::Database(file, store::Database::Access::write)
+      .execute("CREATE TRIGGER refusal BEFORE INSERT ON runs BEGIN SELECT RAISE(ABORT, 'refused'); END");
+  const std::jthread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    store::Database(file, store::Database::Access::write).execute("DROP TRIGGER refusal");
+    std::ofstream(ready) << "yes";
+  });
+  RunnerCounts counts;
+  try {
+    run_studies({read}, store, options, counts);
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("refused"));
+  }
+  for (const cases::Case& c : sweep_cases(read))
+    EXPECT_TRUE(store.find(c, store::current_provenance().digest)) << c.resolution.cells;
 }
 
 /// A run waits until another has started, and fails where it stays alone.

@@ -10,6 +10,7 @@ namespace mpmvv::plan::study_reader_test {
 using store::store_samples::complaint;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* bars =
     "title = \"Bar\"\nclaims = []\n[fixed]\nproblem = \"bar\"\nboundary = \"periodic\"\ncells = 8\nppc = 2\ncfl = 0.2\n"
@@ -47,7 +48,9 @@ TEST(StudyReader, RefusesOrdersOverWhatIsNoStepSize) {
   EXPECT_THAT(complaint([&] { swept(terms); }), HasSubstr("a fit in bar.toml:13 over 'order', which is no step size"));
   EXPECT_THAT(complaint([] { swept("wall_depth = [1, 2, 3, 4]\n[[extrapolate]]\nnorm = \"l2\"\nwindow = [1, 4]\n"); }),
               HasSubstr("over 'wall_depth', which is no step size"));
-  EXPECT_EQ(swept("grid_offset = [0.1, 0.2, 0.4]\n[[fit]]\nnorm = \"l2\"\nwindow = [0.1, 0.4]\n").fits.size(), 1U);
+  for (const char* key : {"grid_offset", "shuffle", "end_time", "param.amplitude"})
+    EXPECT_THAT(complaint([&] { swept(std::string(key) + " = [1, 2, 4]\n[[fit]]\nnorm = \"l2\"\nwindow = [1, 4]\n"); }),
+                HasSubstr(std::string("over '") + key + "', which is no step size"));
 }
 
 TEST(StudyReader, ChecksTheSettingsThatACheckDoesNotTake) {
@@ -59,6 +62,18 @@ TEST(StudyReader, ChecksTheSettingsThatACheckDoesNotTake) {
   EXPECT_EQ(overridden("shuffle").what, "shuffle = 1 changes nothing in a check");
   EXPECT_EQ(overridden("shuffle").refusal, "a check has no settings for --set");
   EXPECT_THAT(complaint([&] { overridden("nonsense"); }), HasSubstr("unknown key 'nonsense' in --set"));
+}
+
+TEST(StudyReader, RefusesTheSameFitOfASeriesTwice) {
+  const auto read = [](const std::string& what, const std::string& first, const std::string& second) {
+    const std::string of_norm = "[[" + what + "]]\nnorm = \"l2\"\nwindow = ";
+    return complaint([&] { swept("dt = [1e-5, 2e-5, 4e-5, 8e-5]\n", of_norm + first + "\n" + of_norm + second); });
+  };
+  const std::string window = "[1e-5, 8e-5]", of_bars = window + "\nseries = [\"bars\"]";
+  for (const char* what : {"fit", "extrapolate"})
+    for (const std::string& second : {window, of_bars})
+      EXPECT_THAT(read(what, window, second), HasSubstr("l2 over [1e-05, 8e-05] twice in bar.toml:16")) << what;
+  EXPECT_THAT(read("fit", of_bars, "[1e-5, 4e-5]"), Not(HasSubstr("twice")));
 }
 
 }  // namespace mpmvv::plan::study_reader_test

@@ -209,6 +209,13 @@ TEST_F(StoredStudyTest, InfinityComesBackAsNaN) {
   EXPECT_EQ(Text::of(store_->studies("d1")), Text::of(std::vector{s}));
 }
 
+TEST_F(StoredStudyTest, AValueOfACheckMayBeInfinite) {
+  StudyResult s = study("s");
+  s.values = {{"gap", infinity, ""}, {"slope", -infinity, ""}, {"sum", not_measured, ""}};
+  store_->keep_study(s, {}, provenance());
+  EXPECT_EQ(Text::of(store_->studies("d1")), Text::of(std::vector{s}));
+}
+
 TEST_F(StoredStudyTest, APointKeepsWhatItHasBeyondItsRun) {
   StudyResult s = study("cost", "", {series("a", {point_of(record(8))})});
   s.series[0].points[0].y["wall_seconds"] = 42;

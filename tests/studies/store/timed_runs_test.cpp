@@ -24,6 +24,10 @@ TEST_F(TimedRuns, MadeAnewReplaceThoseBefore) {
     store.keep(timed(session), provenance());
     EXPECT_EQ(kept(), session);
   }
+  Record killed = timed("", Status::failed);
+  killed.failure = records::Failure::of_machine;
+  store.keep(killed, provenance());
+  EXPECT_EQ(kept(), "second") << "the machine says nothing of the case";
   store.keep(timed("", Status::failed), provenance());
   EXPECT_EQ(store.find(record(8).the_case, "d1").value().status, Status::failed) << "it can be timed no more";
   EXPECT_EQ(kept(), "");
