@@ -41,8 +41,11 @@ struct StudyOptions {
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
   constexpr int interrupted = 130;
   const auto no_more_runs = codes::abandon_external_runs();
-  note("stopped: {} finished and kept in {}, the running ones are lost; the same command goes on from there\n",
-       count_text(counts.ran, "case"), options.db);
+  const auto unkept = counts.unkept == 0
+                          ? std::string()
+                          : fmt::format("{} finished while another process locked it and ", counts.unkept);
+  note("stopped: {} finished and kept in {}, {}the running ones are lost; the same command goes on from there\n",
+       count_text(counts.ran, "case"), options.db, unkept);
   std::_Exit(interrupted);
 }
 

@@ -56,14 +56,17 @@ void require_nodes_for_faces(const Scene<D>& scene) {
   }
 }
 
-/// Requires that an axis is periodic on both faces or on neither, and that walls have a motion.
+/// Requires that an axis is periodic on both faces or on neither, and that walls have a motion and a depth.
 template <int D>
 void require_faces(const Scene<D>& scene) {
   const auto is_periodic = [&](std::size_t face) { return std::holds_alternative<Periodic>(scene.boundary[face]); };
   for (std::size_t face = 0; face < scene.boundary.size(); face += 2)
     require(is_periodic(face) == is_periodic(face + 1), "an axis that is periodic on one face only");
   for (const AnyBoundary& boundary : scene.boundary)
-    if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
+    if (const auto* wall = std::get_if<Wall>(&boundary)) {
+      require(wall->motion, "a wall without a motion");
+      require(wall->depth >= 0 && std::isfinite(wall->depth), "a wall whose depth is not 0 or more");
+    }
 }
 
 /// Requires that each particle has an entry in every field that the scheme reads.
@@ -82,6 +85,10 @@ void require_fields(const Scene<D>& scene) {
   require(!is_reference || particles.l0.empty(), "widths that follow F with a basis whose widths do not");
   require(width != ParticleWidth::domain || (particles.R.size() == n && particles.R0.size() == n),
           "particles without the domains that the basis takes");
+  for (const std::size_t size : {particles.l.size(), particles.R.size()})
+    require(size == 0 || size == n, "particles whose fields have different lengths");
+  require(particles.l0.empty() || particles.l0.size() == particles.l.size(), "widths at rest without widths");
+  require(particles.R0.empty() || particles.R0.size() == particles.R.size(), "domains at rest without domains");
 }
 
 /// Requires masses and volumes, ids that no two particles share, and a surface load on particles that are there. What

@@ -63,13 +63,16 @@ Step<D>::Step(Scene<D> scene)
 template <int D>
 Step<D>::~Step() = default;
 
-/// Makes room for the fields that only some schemes have.
+/// Makes room for the fields that only some schemes have, and leaves the others empty: particles may come from a run
+/// with another scheme.
 template <int D>
 void Step<D>::make_room() {
   const std::size_t n = particles_.size();
+  particles_.stages = {};
   if (integrator_.is_staged) particles_.start_stages();
-  if (integrator_.is_remapped) particles_.rate.resize(n);
-  if (has_affine_field(scene_.velocity_update)) particles_.C.assign(n, Mat<D>::Zero());
+  particles_.rate.resize(integrator_.is_remapped ? n : 0);
+  particles_.C.assign(has_affine_field(scene_.velocity_update) ? n : 0, Mat<D>::Zero());
+  particles_.thermal.clear();
   std::visit(
       [this, n]<class M>(const M& material) {
         if constexpr (has_history<M>) {

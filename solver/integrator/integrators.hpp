@@ -24,7 +24,8 @@ struct Integrator {
   bool is_accelerated_first = false;  ///< finds a_i before v_i: it cannot be a difference of velocities, S (30)
   double share_after_stress = 1;      ///< how much of the step is still to come for F when the stress is evaluated
 
-  /// Whether its steps have both positions and velocities at their ends.
+  /// Whether particles take any velocity update. The velocities of a staggered integrator are half a step behind the
+  /// positions, and one with stages writes them itself.
   bool has_whole_steps() const { return !is_staggered && !is_staged; }
 
   template <int D>

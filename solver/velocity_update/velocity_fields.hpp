@@ -32,7 +32,7 @@ struct VelocityUpdate {
   static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and add an acceleration
   static constexpr bool takes_consistent_mass = false;  ///< is defined with the consistent mass, too
   static constexpr bool has_affine_field = false;       ///< particles carry the gradient of an affine velocity field
-  /// Whether it takes positions and velocities of the same time, which steps that are staggered or staged do not have.
+  /// Whether it goes with integrators that have whole steps alone (`Integrator::has_whole_steps`).
   bool needs_whole_steps() const { return true; }
   int expansion_order() const { return 0; }  ///< number of terms of the expanded inverse; 0: it takes none
   /// Whether the step after this number of finished ones expands the grid velocity itself, also for the stress updates.

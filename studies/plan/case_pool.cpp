@@ -44,7 +44,11 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
       costs_(&store),
       admission_(options.jobs, usable_memory()),
       on_stop_(options.stop, [this] {
-        if (options_.on_stop) with_store([this] { options_.on_stop(counts_); });
+        if (!options_.on_stop) return;
+        with_store([this] {
+          counts_.unkept = finished_.size();
+          options_.on_stop(counts_);
+        });
       }) {
   store_.wait_with([this](double seconds) { return waits_on(seconds); });
 }

@@ -117,9 +117,8 @@ class Tasks {
   std::mutex mutex_;  ///< guards the inputs' troubles
 };
 
-/// Whether the store has the value as it was measured: an infinite one comes back as NaN.
-bool is_as_measured(const records::Value& value) {
-  return std::isfinite(value.value);
+bool is_measured(const records::Value& value) {
+  return !std::isnan(value.value);
 }
 
 }  // namespace
@@ -127,7 +126,7 @@ bool is_as_measured(const records::Value& value) {
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan,
                                                 const std::vector<records::StudyResult>& stored) {
   for (const records::StudyResult& s : stored)
-    if (s.name == plan.name && s.text == plan.text && std::ranges::all_of(s.values, is_as_measured)) {
+    if (s.name == plan.name && s.text == plan.text && std::ranges::all_of(s.values, is_measured)) {
       checks::CheckResult result{s.values, s.series};
       for (records::Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
       return result;

@@ -15,6 +15,7 @@ namespace mpmvv::plan {
 
 struct RunnerCounts {
   std::size_t ran = 0, reused = 0;
+  std::size_t unkept = 0;  ///< finished, but not in the store, because another process has locked it
 };
 
 /// The functions are called by one thread at a time, while others wait that finish a case: they should be quick.

@@ -19,8 +19,7 @@ Setup<2> pulse_setup(const Parameters& p) {
 }  // namespace
 
 /// A bar whose left end is pulled by a triangular pulse of tension, N §3.3, in plane stress, which is plane strain
-/// without a Poisson's ratio. The wave does not meet its other end before the end
-/// time.
+/// without a Poisson's ratio. The wave does not meet its other end before the end time.
 Problem pulse_problem() {
   return {.name = "pulse",
           .source = "Nairn and Hammerquist 2021, section 3.3",

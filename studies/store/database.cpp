@@ -17,14 +17,6 @@ using support::UsageError;
 
 namespace {
 
-/// Waits a moment for another process that locks the file, or says that this has lasted too long (0).
-int wait_on(void* patience, int waits) {
-  constexpr int moment = 10;  // ms
-  if (!(*static_cast<const Patience*>(patience))(1e-3 * moment * waits)) return 0;
-  sqlite3_sleep(moment);
-  return 1;
-}
-
 int bind(sqlite3_stmt* statement, int index, const Value& value) {
   return std::visit(
       [&](const auto& held) {
@@ -109,7 +101,7 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
   require(code);
   sqlite3_extended_result_codes(raw, 1);
   wait_with({});
-  sqlite3_busy_handler(raw, wait_on, patience_.get());
+  sqlite3_busy_handler(raw, wait_on, wait_.get());
   // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, and saves only one of four syncs.
   execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   if (access == Access::read) execute("PRAGMA query_only = ON");
@@ -121,7 +113,19 @@ void Database::Finalizer::operator()(sqlite3_stmt* statement) const {
 
 void Database::wait_with(Patience patience) {
   constexpr double most = 10;  // s
-  *patience_ = patience ? std::move(patience) : [](double seconds) { return seconds < most; };
+  wait_->patience = patience ? std::move(patience) : [](double seconds) { return seconds < most; };
+}
+
+int Database::wait_on(void* wait, int waits) try {
+  constexpr int moment = 10;  // ms
+  auto& [patience, since] = *static_cast<Wait*>(wait);
+  const auto now = std::chrono::steady_clock::now();
+  if (waits == 0) since = now;
+  if (!patience(std::chrono::duration<double>(now - since).count())) return 0;
+  sqlite3_sleep(moment);
+  return 1;
+} catch (...) {  // no exception may pass through SQLite
+  return 0;
 }
 
 bool Database::writable() const {

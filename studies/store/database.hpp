@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -77,7 +78,7 @@ class Row {
 };
 
 /// Asked again and again while another process locks the file, with the seconds that this has lasted: whether to wait
-/// on.
+/// on. An exception ends the wait.
 using Patience = std::function<bool(double seconds)>;
 
 /// One connection to an SQLite file, foreign keys on. Every error of SQLite is a UsageError with the file's name.
@@ -132,8 +133,16 @@ class Database {
   void require(int code) const;
   [[noreturn]] void fail(int code) const;
 
+  struct Wait {
+    Patience patience;
+    std::chrono::steady_clock::time_point since;
+  };
+  /// Waits a moment for another process that locks the file, or returns 0 where the patience is at an end. `waits` is
+  /// how often it was called before for the same lock.
+  static int wait_on(void* wait, int waits);
+
   std::filesystem::path file_;
-  std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();  ///< the connection knows its place
+  std::unique_ptr<Wait> wait_ = std::make_unique<Wait>();  ///< the connection knows its place
   std::unique_ptr<sqlite3, Closer> connection_;
   /// Prepared statements by their texts, kept because preparing takes longer than running most statements. A statement
   /// that is running is not among them.

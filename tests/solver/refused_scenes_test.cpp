@@ -128,6 +128,11 @@ TEST(RefusedScene, HasAMovingWallThatItsSchemeDoesNotTake) {
   Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Free{});
   scene.boundary[0] = Wall{.motion = &at_rest};
   EXPECT_EQ(refusal(scene), "");
+  for (const double depth : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    std::get<Wall>(scene.boundary[0]).depth = depth;
+    EXPECT_EQ(refusal(scene), "a wall whose depth is not 0 or more");
+  }
+  std::get<Wall>(scene.boundary[0]).depth = 1;
   for (const char* integrator : {"rk4", "cd", "uvf"}) {
     scene.integrator = integrator;
     EXPECT_EQ(refusal(scene), "a moving wall with an integrator whose steps are staggered or staged") << integrator;
@@ -193,6 +198,37 @@ TEST(RefusedScene, HasWidthsThatFollowTheDeformationWhereTheBasisTakesThoseAtRes
   EXPECT_EQ(refusal(scene), "");
   scene.particles.l0 = scene.particles.l;
   EXPECT_EQ(refusal(scene), "widths that follow F with a basis whose widths do not");
+}
+
+/// Widths and domains at rest are kept up to date whatever the basis.
+TEST(RefusedScene, HasWidthsOrDomainsThatDoNotFitTheirs) {
+  Scene<2> scene = full_scene<2>(BSpline2{}, 8, 2);
+  const std::size_t n = scene.particles.size();
+  scene.particles.l0.assign(n, Vec<2>::Constant(0.5));
+  EXPECT_EQ(refusal(scene), "widths at rest without widths");
+  scene.particles.l = scene.particles.l0;
+  EXPECT_EQ(refusal(scene), "");
+  scene.particles.R0.assign(n, Mat<2>::Identity());
+  EXPECT_EQ(refusal(scene), "domains at rest without domains");
+  scene.particles.R.assign(n - 1, Mat<2>::Identity());
+  EXPECT_EQ(refusal(scene), "particles whose fields have different lengths");
+}
+
+/// A scene may go on with the particles of another one, which had fields that it does not have.
+TEST(Mpm, LeavesFieldsOfAnotherSchemeOut) {
+  Scene<2> scene = full_scene<2>(BSpline2{}, 8, 2);
+  scene.velocity_update = Apic{};
+  Mpm<2> affine(scene);
+  ASSERT_EQ(affine.advance(1e-4, 5), 5);
+  scene.velocity_update = Flip{};
+  Scene<2> with_more = scene;
+  with_more.particles = affine.particles();
+  scene.particles = affine.particles();
+  scene.particles.C.clear();
+  Mpm<2> flip(scene), from_affine(with_more);
+  flip.advance(1e-4, 5), from_affine.advance(1e-4, 5);
+  EXPECT_TRUE(from_affine.particles().C.empty());
+  EXPECT_EQ(from_affine.kinetic_energy(), flip.kinetic_energy());
 }
 
 TEST(RefusedScene, HasParticlesWithoutAMassAVolumeOrAnIdOfTheirOwn) {

@@ -145,9 +145,10 @@ TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
 
 /// On 8 cells the code goes on until the store takes runs again.
 TEST_F(ExternalSeries, RunsThatTheStoreRefusesAreKeptWithTheNext) {
-  const std::filesystem::path ready = mover_.top() / "ready", file = mover_.top() / "r.db";
+  const std::filesystem::path done = mover_.top() / "done", ready = mover_.top() / "ready",
+                              file = mover_.top() / "r.db";
   mover_.script("test $(wc -l < input.txt) -gt 100 && until test -e '" + ready.string() + "'; do sleep 0.01; done\n" +
-                codes::Mover::moving);
+                codes::Mover::moving + "\ntouch '" + done.string() + "'\n");
   std::string text = codes::Mover::study;
   StudyPlan read = plan(text.erase(text.find("[[fit]]")).replace(text.find("[4, 8, 16]"), 10, "[4, 8]"));
   CodeFinder finder("");
@@ -159,13 +160,15 @@ TEST_F(ExternalSeries, RunsThatTheStoreRefusesAreKeptWithTheNext) {
   store::Database(file, store::Database::Access::write)
       .execute("CREATE TRIGGER refusal BEFORE INSERT ON runs BEGIN SELECT RAISE(ABORT, 'refused'); END");
   const std::jthread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    while (!std::filesystem::exists(done)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // in which the store refuses the run
     store::Database(file, store::Database::Access::write).execute("DROP TRIGGER refusal");
     std::ofstream(ready) << "yes";
   });
   RunnerCounts counts;
   try {
     run_studies({read}, store, options, counts);
+    ADD_FAILURE() << "nothing was refused";
   } catch (const UsageError& e) {
     EXPECT_THAT(e.what(), HasSubstr("refused"));
   }
