@@ -36,7 +36,7 @@ namespace {
 
 /// What stands behind the number; of a limit its bracket, too.
 std::string interval_text(const ClaimPart& part, const Found& found) {
-  const std::string text = claims::interval_text(part, found);
+  std::string text = claims::interval_text(part, found);
   if (!part.is_limit() || !text.empty() || !claims::has_interval(found)) return text;
   return fmt::format(" ({})", claims::range_text(found.lower, found.upper));
 }

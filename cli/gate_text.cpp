@@ -21,7 +21,7 @@ namespace {
 /// The golden, and what was found. What a run says that is not ok stands at the first golden of the study that it
 /// fails; `said` has what the study's runs have said so far.
 std::string description(const GateResult& r, std::set<std::string>& said) {
-  const std::string text = fmt::format("{}: expected {}{}", r.name, r.expected, measured_text(r));
+  std::string text = fmt::format("{}: expected {}{}", r.name, r.expected, measured_text(r));
   if (r.reason.empty()) return text;
   std::string reason = r.reason;
   if (!r.cause.empty() && !said.insert(r.cause).second)

@@ -73,7 +73,7 @@ fs::path other_file(const StudyResult& study) {
 }
 
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
-  const fs::path folder = named.empty() ? "goldens" : named;
+  fs::path folder = named.empty() ? "goldens" : named;
   if (std::error_code unknown; named.empty() && !fs::exists(folder, unknown))
     return std::ranges::any_of(results, is_shipped) ? shipped("goldens") : folder;
   goldens::require_directory(folder);

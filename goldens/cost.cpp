@@ -56,7 +56,7 @@ struct TrimmedMean {
 
 TrimmedMean trimmed_mean(std::vector<double> values) {
   std::ranges::sort(values);
-  const double kept = static_cast<double>(values.size() - 2);
+  const auto kept = static_cast<double>(values.size() - 2);
   const double mean = std::accumulate(values.begin() + 1, values.end() - 1, 0.0) / kept;
   values.front() = values[1], values.back() = values[values.size() - 2];
   double squares = 0;

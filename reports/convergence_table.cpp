@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "reports/chart.hpp"
 #include "reports/common_problem.hpp"
@@ -62,7 +63,7 @@ bool takes_all(const Series& series, const ObservedOrder& order) {
 /// The table of one norm.
 class ConvergenceTable {
  public:
-  ConvergenceTable(const StudyResult& study, const std::string& norm) : study_(study), norm_(norm) {
+  ConvergenceTable(const StudyResult& study, std::string norm) : study_(study), norm_(std::move(norm)) {
     std::set<double> levels;
     std::set<Window> windows;
     for (const Series& series : study.series) {

@@ -24,7 +24,7 @@ constexpr const char* dash = "–";
 std::string in_mathematics_mode(const std::string& number) {
   const auto e = number.find('e');
   if (e == std::string::npos) return replace_all(number, "inf", "\\infty");
-  const std::string digits = number.substr(0, e);
+  std::string digits = number.substr(0, e);
   const int power = std::atoi(number.c_str() + e + 1);
   if (power == 0) return digits;
   return fmt::format("{}10^{{{}}}", digits == "1" ? "" : digits + " \\times ", power);

@@ -19,7 +19,7 @@ Table score_table(const MutationResults& mutation) {
   Table table{"Score: how many mistakes each part of the gate catches",
               {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them"},
               {}};
-  if (random.tried > 0) table.columns.push_back("explained");
+  if (random.tried > 0) table.columns.emplace_back("explained");
   if (planted.should_show + planted.equivalent + random.tried == 0) return table;
   Table::Group group;
   const auto add = [&](std::vector<std::string> row) {

@@ -35,7 +35,7 @@ std::vector<Place> surroundings(const ParticleError& one, const std::vector<Part
 /// The spacing s of a lattice in a rectangle that has as many points and scatters as much as these do. k points along a
 /// side have the variance s² (k² - 1) / 12; so (12 a + s²) (12 b + s²) = n² s⁴ for principal variances a and b.
 double lattice_spacing(const std::vector<Place>& points) {
-  const double n = static_cast<double>(points.size());
+  const auto n = static_cast<double>(points.size());
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   for (const Place& p : points) x += p.x / n, y += p.y / n;
   for (const Place& p : points)

@@ -45,7 +45,7 @@ std::string order_text(double order, double half_width) {
   if (std::isnan(order)) return "–";
   const int decimals = half_width > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(half_width))), 2, 4) : 2;
   const bool is_shown_as_zero = std::abs(order) < 0.5 * std::pow(10, -decimals);
-  const std::string text = fmt::format("{:.{}f}", is_shown_as_zero ? 0 : order, decimals);  // no -0.00
+  std::string text = fmt::format("{:.{}f}", is_shown_as_zero ? 0 : order, decimals);  // no -0.00
   if (std::isnan(half_width)) return text;
   constexpr double least_shown = 5e-5;
   if (half_width > 0 && half_width < least_shown) return fmt::format("{} ± {:.0e}", text, half_width);

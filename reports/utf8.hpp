@@ -17,9 +17,9 @@ inline std::string_view first_character(std::string_view text) {
 
 /// The character at the end of a text; empty where the text is.
 inline std::string_view last_character(std::string_view text) {
-  std::size_t begin = text.size();
-  while (begin > 0 && (static_cast<unsigned char>(text[--begin]) & 0xC0u) == 0x80) {
-  }
+  if (text.empty()) return text;
+  std::size_t begin = text.size() - 1;
+  while (begin > 0 && (static_cast<unsigned char>(text[begin]) & 0xC0u) == 0x80) --begin;
   return text.substr(begin);
 }
 

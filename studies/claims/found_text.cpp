@@ -35,7 +35,7 @@ std::string interval_text(const records::ClaimPart& part, const records::Found& 
 }
 
 std::string interval_and_remark(const records::ClaimPart& part, const records::Found& found) {
-  const std::string interval = interval_text(part, found);
+  std::string interval = interval_text(part, found);
   if (found.remark.empty()) return interval;
   if (!interval.ends_with(')')) return fmt::format("{} ({})", interval, found.remark);
   return fmt::format("{}, {})", interval.substr(0, interval.size() - 1), found.remark);

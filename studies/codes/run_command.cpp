@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <map>
+#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -105,9 +106,9 @@ std::string tail_of(const std::string& log) {
   constexpr std::size_t near = 2000, most = 400;
   const std::vector<std::string> lines = telling_lines(ending_of(log, near));
   std::string rest, from_error;  // from the first line with "error" from which all fits, else from the last such line
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    rest = *line + (rest.empty() ? "" : " ") + rest;
-    if (says_error(*line) && (from_error.empty() || rest.size() <= most)) from_error = rest;
+  for (const std::string& line : lines | std::views::reverse) {
+    rest = line + (rest.empty() ? "" : " ") + rest;
+    if (says_error(line) && (from_error.empty() || rest.size() <= most)) from_error = rest;
   }
   if (rest.empty()) return "it printed nothing";
   if (rest.size() <= most || from_error.empty()) return ending_of(rest, most);

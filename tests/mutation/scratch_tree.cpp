@@ -49,7 +49,7 @@ bool is_code(const fs::path& file) {
 /// has a raw string, a `/* */` comment or a line that the next one continues.
 std::string code_lines(const std::string& text) {
   const std::array<std::string, 3> beyond_lines{"R\"", "/*", "\\\n"};
-  if (std::ranges::any_of(beyond_lines, [&](const std::string& mark) { return text.find(mark) != text.npos; }))
+  if (std::ranges::any_of(beyond_lines, [&](const std::string& mark) { return text.find(mark) != std::string::npos; }))
     return text;
   std::string code;
   std::istringstream in(text);
