@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/checks/check.hpp"
@@ -16,8 +17,8 @@ class MovingBody {
  public:
   explicit MovingBody(const std::vector<settings::Setting>& settings, solver::Images images = solver::Images::none)
       : MovingBody(settings::make_case(settings), images) {}
-  MovingBody(const cases::Case& c, solver::Images images)
-      : case_(c),
+  MovingBody(cases::Case c, solver::Images images)
+      : case_(std::move(c)),
         prepared_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1, images)),
         mpm_(std::move(prepared_.scene)) {}
 

@@ -270,7 +270,7 @@ TEST(CostCriterion, ARunThatFailedDoesNotHideThatAnotherSeriesFails) {
   result.series[2].name = "lost";
   result.series[2].points[1] = {1000, Status::failed, "the machine was stopped", {}};
   Criterion c = criterion(Criterion::Kind::cost_ratio, "dear", {}, 1);
-  c.series.push_back("lost"), c.over = "cheap", c.window = {0.1, 0.1};
+  c.series.emplace_back("lost"), c.over = "cheap", c.window = {0.1, 0.1};
   EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
   c.at_most = 3;
   EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);

@@ -137,7 +137,7 @@ TEST_F(Forecasts, TakeTheTimesThatTheyAreGiven) {
 }
 
 TEST(SecondsOn, ManyCoresAreThoseOfTheLongestUnlessAllShareIt) {
-  EXPECT_DOUBLE_EQ(seconds_on(4, {{2}, {40}, {2}}), 40 / 4 + 2);
+  EXPECT_DOUBLE_EQ(seconds_on(4, {{2}, {40}, {2}}), 40.0 / 4 + 2);
   EXPECT_DOUBLE_EQ(seconds_on(4, {{2}, {40, false}, {2}}), 40);
   EXPECT_DOUBLE_EQ(seconds_on(4, {{1}, {4}}), 4) << "too short to be shared";
   EXPECT_DOUBLE_EQ(seconds_on(2, {{10}, {10}, {10}, {10}}), 20) << "each has a core";
