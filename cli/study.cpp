@@ -43,7 +43,7 @@ struct StudyOptions {
   const auto no_more_runs = codes::abandon_external_runs();
   const auto unkept = counts.unkept == 0
                           ? std::string()
-                          : fmt::format("{} finished while another process locked it and ", counts.unkept);
+                          : fmt::format("the {} that finished while another process locked it and ", counts.unkept);
   note("stopped: {} finished and kept in {}, {}the running ones are lost; the same command goes on from there\n",
        count_text(counts.ran, "case"), options.db, unkept);
   std::_Exit(interrupted);
