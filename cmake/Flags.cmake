@@ -10,7 +10,9 @@ set(mpmvv_arch_flag "")
 # Only the sources for space use 32 registers of four numbers instead of 16: with g++ 12 a step in space then takes 0.9
 # of the time, but one in the plane 1.03 of it. Results are the same to the last bit (tests/cli/install_test.cpp).
 set(mpmvv_flags_in_space "")
-if(MPMVV_ARCH STREQUAL "auto")
+if(MPMVV_ARCH STREQUAL "auto" AND CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+  message(STATUS "MPMVV_ARCH=auto: this machine cannot ask the other's processor, so -march is left to the compiler")
+elseif(MPMVV_ARCH STREQUAL "auto")
   set(CMAKE_REQUIRED_FLAGS "-march=x86-64-v3")
   check_cxx_source_runs("int main() { return !(__builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\")); }"
                         MPMVV_HAS_X86_64_V3)

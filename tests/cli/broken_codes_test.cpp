@@ -197,11 +197,12 @@ TEST_F(StudyOfABrokenCode, TwoAtOnceShareAStore) {
 
 /// A caller that asks for no news of its children: the program still hears of its own.
 TEST_F(StudyOfABrokenCode, HearsOfTheEndOfItsRuns) {
+  mover_.adapter(std::regex_replace(Mover::text, std::regex("time_limit = 20"), "time_limit = 100"));
   const auto begin = std::chrono::steady_clock::now();
   const Answer answer =
       call(folder_, "study s.toml --db r.db", "cd '" + mover_.top().string() + "' && env --ignore-signal=CHLD ");
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15)) << "20 is the time limit of a run";
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(90)) << "100 is the time limit of a run";
 }
 
 TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {

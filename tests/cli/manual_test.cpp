@@ -198,14 +198,22 @@ TEST_F(ManualNightly, CompletesInZsh) {
   folder_.write("mine.toml", "");
   folder_.write("drive.zsh", R"(zmodload zsh/zpty
 zpty -b shell zsh -f -i
-heard() { local part all=; sleep $1; while zpty -r -t shell part 2> /dev/null; do all+=$part; done; print -r -- $all }
-zpty -w shell 'fpath=($PWD $fpath); autoload -U compinit; compinit -u -D'
-heard 2 > /dev/null
-for line in 'mpmvv rep' 'mpmvv study mi' 'mpmvv db in' 'mpmvv run --velocity-update fl' 'mpmvv run --velocity-up'; do
+heard() {  # what the shell says until it says $1, or for ten seconds
+  local part all=
+  repeat 1000; do
+    while zpty -r -t shell part 2> /dev/null; do all+=$part; done
+    [[ $all == *$1* ]] && break
+    sleep 0.01
+  done
+  print -r -- $all
+}
+zpty -w shell 'fpath=($PWD $fpath); autoload -U compinit; compinit -u -D; print rea''dy'
+heard ready
+for line completed in 'mpmvv rep' ort 'mpmvv study mi' ne.toml 'mpmvv db in' fo \
+  'mpmvv run --velocity-update fl' ip 'mpmvv run --velocity-up' date; do
   zpty -w -n shell $line$'\t'
-  heard 1
+  heard $line$completed
   zpty -w -n shell $'\x15'
-  heard 0.3 > /dev/null
 done
 zpty -d shell
 )");
