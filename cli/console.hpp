@@ -25,8 +25,8 @@ void note_text(const std::string& text);
 std::optional<std::size_t> output_columns();
 std::optional<std::size_t> note_columns();
 
-std::size_t
-text_width();  ///< what lines should fit: the terminal on standard output, at least 40 columns; 100 elsewhere
+/// What lines should fit: the terminal on standard output, at least 40 columns; 100 elsewhere.
+std::size_t text_width();
 
 /// Whether standard output is a terminal that shows colours, and the user wants some (NO_COLOR is not set).
 bool has_colours();
