@@ -1,4 +1,5 @@
-# Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE, FLAGS and FLAGS_IN_SPACE: writes HEADER.
+# Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE, FLAGS, TUNING (a part of FLAGS) and
+# FLAGS_IN_SPACE: writes HEADER.
 
 # Flags that decide the code: no warnings, no folder names, nothing of the compiler's memory.
 string(REPLACE "${BINARY_DIR}" "<build>" FLAGS "${FLAGS}")
@@ -29,14 +30,16 @@ function(code_of source result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(summary "compiler ${COMPILER}\nbuild type ${BUILD_TYPE}\nflags ${FLAGS}\n")
+# Neither the tuning nor the flags in space are part of the digest: they change no bit of a result.
+string(REPLACE " ${TUNING} " " " deciding_flags "${FLAGS}")
+set(summary "compiler ${COMPILER}\nbuild type ${BUILD_TYPE}\nflags ${deciding_flags}\n")
 foreach(source IN LISTS sources)
   code_of("${SOURCE_DIR}/${source}" code)
   string(SHA256 hash "${code}")
   string(APPEND summary "${hash} ${source}\n")
 endforeach()
 string(SHA256 DIGEST "${summary}")
-if(FLAGS_IN_SPACE)  # not part of the digest: they change no bit of a result
+if(FLAGS_IN_SPACE)
   string(APPEND FLAGS ", in space ${FLAGS_IN_SPACE}")
 endif()
 

@@ -12,6 +12,7 @@ add_custom_target(mpmvv_build_info
     "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
     "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
     "-DFLAGS=${mpmvv_common_flags} $<JOIN:$<TARGET_PROPERTY:mpmvv_solver,COMPILE_OPTIONS>, >"
+    "-DTUNING=$<JOIN:${mpmvv_tuning}, >"
     "-DFLAGS_IN_SPACE=$<$<CONFIG:Release>:$<JOIN:${mpmvv_flags_in_space}, >>"
     -P ${CMAKE_CURRENT_LIST_DIR}/BuildInfo.cmake
   BYPRODUCTS ${mpmvv_build_info_dir}/mpmvv_build_info.hpp
