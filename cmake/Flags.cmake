@@ -31,7 +31,7 @@ elseif(MPMVV_ARCH)
 endif()
 
 # How g++ arranges the code of solver and mms. It copies matrices with 32 bytes at once, so that a load does not wait for
-# two stores, and unrolls the loops over a CPDI particle's corners: on an Intel processor a case takes 0.96 (cube), 0.9
+# two stores, and unrolls the loops over a CPDI particle's corners: on an Intel processor a case takes 0.965 (cube), 0.9
 # (impact) or 0.88 (shell with cpdi) of the time that it takes without. Results are the same to the last bit, too.
 set(mpmvv_tuning "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND mpmvv_arch_flag STREQUAL "-march=x86-64-v3")
