@@ -33,6 +33,7 @@ endif()
 # How g++ arranges the code of solver and mms. It copies matrices with 32 bytes at once, so that a load does not wait
 # for two stores, and unrolls the loops over a CPDI particle's corners: on an Intel processor a case takes 0.965 (cube),
 # 0.9 (impact) or 0.88 (shell with cpdi) of the time that it takes without. Results are the same to the last bit, too.
+# With studies/runs they were not: g++ fused other products of an angular momentum there.
 set(mpmvv_tuning "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND mpmvv_arch_flag STREQUAL "-march=x86-64-v3")
   set(mpmvv_tuning -mtune=skylake-avx512 --param=max-completely-peeled-insns=500)
