@@ -11,6 +11,7 @@ namespace mpmvv::cli::install_test {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::Not;
 
 const std::string build = std::filesystem::path(MPMVV_PROGRAM).parent_path();
 
@@ -34,6 +35,27 @@ TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
   EXPECT_EQ(gate.code, 0) << gate.out;
   EXPECT_THAT(shell("'" + moved + "/bin/mpmvv' list codes 2>&1").out, HasSubstr("small-mpm  1.0"));
   EXPECT_THAT(gate.out, HasSubstr("3 pass, 0 fail, 0 inconclusive"));
+}
+
+/// Configures a build for another machine with this CMake toolchain file, and returns what CMake says.
+std::string configured_elsewhere(const Folder& folder, const std::string& toolchain) {
+  const Answer said =
+      shell("cmake -S '" MPMVV_SOURCE_DIR "' --preset release -B '" + (folder / "build") +
+            "' -DBUILD_TESTING=OFF --toolchain '" + folder.write("toolchain.cmake", toolchain) + "' 2>&1");
+  EXPECT_EQ(said.code, 0) << said.out;
+  return said.out;
+}
+
+TEST(BuildForAnotherMachine, AsksNoProcessorUnlessAnEmulatorAnswers) {
+  const std::string other = "set(CMAKE_SYSTEM_NAME Linux)\n";
+  const std::string emulated = other + "set(CMAKE_CROSSCOMPILING_EMULATOR /usr/bin/env)\n";
+  const std::string unknown = "this machine cannot ask the other's processor, so -march is left to the compiler";
+  const Folder alone, answered;
+  EXPECT_THAT(configured_elsewhere(alone, other), HasSubstr(unknown));
+  EXPECT_THAT(read_text(alone / "build/build.ninja"), Not(HasSubstr("-march")));
+  EXPECT_THAT(read_text(alone / "build/cmake_install.cmake"), Not(HasSubstr("Manual.cmake")));
+  EXPECT_THAT(configured_elsewhere(answered, emulated), Not(HasSubstr(unknown)));
+  EXPECT_THAT(read_text(answered / "build/cmake_install.cmake"), HasSubstr("/usr/bin/env"));
 }
 
 /// Debian 12 as its installer leaves it, in a folder, and the package in it with what it depends on.
