@@ -16,7 +16,7 @@ namespace {
 std::string difference(const Finding& before, const Finding& after) {
   const double a = before.number, b = after.number;
   const bool same_level = before.at == after.at || std::isnan(before.at);
-  if (!before.word.empty() || !after.word.empty() || !same_level) return "";
+  if (!before.word.empty() || !after.word.empty() || !same_level || !std::isfinite(b - a)) return "";
   if (before.kind == Finding::Kind::order || a == 0) return fmt::format(" ({:+.3g})", b - a);
   if (before.kind == Finding::Kind::cost) return fmt::format(" (x {:.3f})", b / a);
   return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));

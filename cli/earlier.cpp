@@ -17,30 +17,23 @@ const store::Version* version_before(const std::vector<store::Version>& versions
   return now == versions.begin() || now == versions.end() ? nullptr : &*(now - 1);
 }
 
-/// The goldens of these studies by verdict.
-std::map<records::Verdict, int> gate_counts(const std::vector<goldens::Golden>& goldens,
-                                            const std::vector<records::StudyResult>& studies) {
-  std::map<records::Verdict, int> counts;
-  if (goldens.empty()) return counts;
-  for (const goldens::GateResult& r : goldens::run_gate(goldens, studies).results)
-    if (!r.is_absent) ++counts[r.verdict];
-  return counts;
-}
-
 bool has_study(const std::vector<records::StudyResult>& studies, const std::string& name) {
   return std::ranges::find(studies, name, &records::StudyResult::name) != studies.end();
 }
 
-/// How many more goldens have each verdict now than then, of the studies that both versions have.
-std::map<records::Verdict, int> gate_change(std::vector<goldens::Golden> goldens,
-                                            const std::vector<records::StudyResult>& then,
-                                            const std::vector<records::StudyResult>& now) {
+/// Sets how the gate judges the goldens of the studies that both versions have.
+void compare_gates(std::vector<goldens::Golden> goldens, const std::vector<records::StudyResult>& then,
+                   const std::vector<records::StudyResult>& now, reports::Earlier& earlier) {
   std::erase_if(goldens, [&](const goldens::Golden& golden) {
     return !has_study(then, golden.study) || !has_study(now, golden.study);
   });
-  std::map<records::Verdict, int> change = gate_counts(goldens, now);
-  for (const auto& [verdict, count] : gate_counts(goldens, then)) change[verdict] -= count;
-  return change;
+  earlier.goldens_compared = goldens.size();
+  if (goldens.empty()) return;
+  const auto judged_then = goldens::run_gate(goldens, then).results,
+             judged_now = goldens::run_gate(goldens, now).results;
+  for (std::size_t i = 0; i < goldens.size(); ++i)
+    if (judged_then[i].verdict != judged_now[i].verdict)
+      ++earlier.gate_change[{judged_then[i].verdict, judged_now[i].verdict}];
 }
 
 std::vector<double> ratios_of(const std::vector<goldens::Change>& costs) {
@@ -51,9 +44,9 @@ std::vector<double> ratios_of(const std::vector<goldens::Change>& costs) {
 }
 
 /// What the earlier version has and this one lacks, of the studies that both have.
-std::vector<std::string> results_gone(std::vector<records::StudyResult> then,
-                                      const std::vector<records::StudyResult>& now) {
+std::vector<std::string> results_gone(std::vector<records::StudyResult> then, std::vector<records::StudyResult> now) {
   std::erase_if(then, [&](const records::StudyResult& study) { return !has_study(now, study.name); });
+  std::erase_if(now, [&](const records::StudyResult& study) { return !has_study(then, study.name); });
   return goldens::compare(claims::findings_of(then), claims::findings_of(now)).only_before;
 }
 
@@ -94,7 +87,7 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const goldens::Comparison comparison = goldens::compare(claims::findings_of(then), claims::findings_of(own_now));
   reports::Earlier earlier;
   earlier.label = store::in_short(version->commits.front());
-  earlier.gate_change = gate_change(goldens, all_then, all_now);
+  compare_gates(goldens, all_then, all_now, earlier);
   earlier.claims = verdicts_then(all_then, all_now);
   earlier.changes = changes_of(comparison);
   earlier.changes.gone = results_gone(then, own_now);

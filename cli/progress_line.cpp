@@ -35,17 +35,16 @@ std::function<void(const plan::Progress&)> ProgressLine::listener() {
   };
 }
 
-void ProgressLine::blank() {
-  const std::lock_guard lock(mutex_);
-  if (drawing_.joinable()) note_text(to_its_start);
-}
-
 void ProgressLine::clear() {
   if (!drawing_.joinable()) return;
   drawing_.request_stop();
   drawing_.join();
   const std::lock_guard lock(mutex_);  // a listener may be drawing
   note_text(to_its_start);
+}
+
+void ProgressLine::blank() const {
+  if (drawing_.joinable()) note_text(to_its_start);
 }
 
 void ProgressLine::draw() const {

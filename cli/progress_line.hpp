@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "cli/console.hpp"
 #include "studies/plan/progress.hpp"
 
 namespace mpmvv::cli {
@@ -21,12 +22,19 @@ class ProgressLine {
   /// The function to call with every progress; empty where there is no line.
   std::function<void(const plan::Progress&)> listener();
 
-  void blank();  ///< removes the line until it is drawn again
+  /// Writes a note in the place of the line, which is drawn again below it.
+  template <class... T>
+  void note(fmt::format_string<Shown<T>...> format, const T&... values) {
+    const std::lock_guard lock(mutex_);
+    blank();
+    cli::note(format, values...);
+  }
   void clear();  ///< removes the line for good
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void blank() const;
   void draw() const;
   void draw_each_second(const std::stop_token& stop);
 

@@ -58,10 +58,7 @@ auto interruptible(const StudyOptions& options, const codes::Codes& codes, const
     line.clear();
     stop(options, so_far);
   };
-  const auto on_wait = [&] {
-    line.blank();
-    note("another process has locked {}: waiting for it to end\n", options.db);
-  };
+  const auto on_wait = [&] { line.note("another process has locked {}: waiting for it to end\n", options.db); };
   const auto listener = line.listener();
   return run(plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes,
                                  !options.no_retry, on_wait});

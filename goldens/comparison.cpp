@@ -1,7 +1,11 @@
 #include "goldens/comparison.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <functional>
 #include <limits>
 #include <map>
@@ -17,20 +21,45 @@ using claims::Finding;
 
 namespace {
 
-using Key = std::pair<std::string, std::string>;
+/// What makes a finding the same in two versions: its study, its name, the studies that judge it, and how many findings
+/// with all of these come before it.
+struct Key {
+  std::string study, name;
+  std::set<std::string> judges;
+  std::size_t place;
 
-Key key_of(const Finding& finding) {
-  return {finding.study, finding.name};
+  auto operator<=>(const Key&) const = default;
+};
+
+using ByKey = std::map<Key, const Finding*>;
+
+/// The findings, each with its key, in their order.
+std::vector<std::pair<Key, const Finding*>> with_keys(const std::vector<Finding>& findings) {
+  std::map<Key, std::size_t> count;
+  std::vector<std::pair<Key, const Finding*>> all;
+  for (const Finding& finding : findings) {
+    Key key{finding.study, finding.name, {finding.judges.begin(), finding.judges.end()}, 0};
+    key.place = count[key]++;
+    all.emplace_back(std::move(key), &finding);
+  }
+  return all;
 }
 
+/// Whether two numbers are the same up to round-off. Infinity is the same as itself alone, and so is what is no number.
 bool same_up_to_round_off(double a, double b) {
+  if (!std::isfinite(a) || !std::isfinite(b)) return a == b || (std::isnan(a) && std::isnan(b));
   const double size = std::max(std::abs(a), std::abs(b));
   return size <= absolute_round_off || std::abs(a - b) <= relative_round_off * size;
 }
 
+/// How much a word (a status, a verdict) that differs counts, in bands, and a number that is infinite in one version:
+/// more than any number.
+constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
+
 /// The size of a change in widths of the goldens' band for this kind of number.
 double bands_between(Finding::Kind kind, double before, double after) {
   if (same_up_to_round_off(before, after)) return 0;
+  if (!std::isfinite(before) || !std::isfinite(after)) return beyond_any_number;
   const double step = std::abs(after - before);
   if (kind == Finding::Kind::order) return step / order_band;
   const double size = std::abs(before == 0 ? after : before);
@@ -44,11 +73,12 @@ double bands_between(const Finding& before, const Finding& after) {
   return bands_between(before.kind, before.number, after.number);
 }
 
-/// The largest size of a value on the curve in either version.
+/// The largest size of a finite value on the curve in either version.
 double size_of_curve(const Change& change) {
   double size = 0;
   for (const auto* levels : {&change.before.levels, &change.after.levels})
-    for (const Finding::Level& level : *levels) size = std::max(size, std::abs(level.y));
+    for (const Finding::Level& level : *levels)
+      if (std::isfinite(level.y)) size = std::max(size, std::abs(level.y));
   return size;
 }
 
@@ -59,7 +89,7 @@ void compare_levels(Change& change) {
   const auto& b = change.after.levels;
   const double size = is_curve(change.before) ? size_of_curve(change) : 0;
   const auto between = [size](double before, double after) {
-    if (size == 0) return bands_between(Finding::Kind::error, before, after);
+    if (size == 0 || !std::isfinite(after - before)) return bands_between(Finding::Kind::error, before, after);
     return same_up_to_round_off(before, after) ? 0 : std::abs(after - before) / size / error_band;
   };
   double most = 0;
@@ -81,9 +111,6 @@ void compare_levels(Change& change) {
   const bool better = change.before.better * growth > 0;
   change.bands = better ? -most : most;
 }
-
-/// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
-constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
 /// The words of statuses and verdicts, the better ones higher. A word without a rank says neither good nor bad:
 /// `shown`, or why there is no number.
@@ -121,23 +148,19 @@ Change change_between(const Finding& before, const Finding& after) {
   return change;
 }
 
-std::map<Key, const Finding*> by_key(const std::vector<Finding>& findings) {
-  std::map<Key, const Finding*> all;
-  for (const Finding& finding : findings) all.try_emplace(key_of(finding), &finding);
-  return all;
-}
-
-/// The findings that `others` lack: "study: finding", or the study's name alone where it is missing as a whole.
-std::vector<std::string> only_in(const std::vector<Finding>& findings, const std::map<Key, const Finding*>& others) {
-  std::set<std::string> studies;
-  for (const auto& [key, finding] : others) studies.insert(key.first);
+/// The findings that the other version lacks: "study: finding", or the study's name alone where it is missing as a
+/// whole. Of the verdict on a claim that other studies judge there, these are told.
+std::vector<std::string> only_in(const std::vector<std::pair<Key, const Finding*>>& findings, const ByKey& others) {
+  std::set<std::string> studies, claims;
+  for (const auto& [key, finding] : others) key.study.empty() ? claims.insert(key.name) : studies.insert(key.study);
   std::vector<std::string> only;
-  for (const Finding& finding : findings) {
-    if (others.contains(key_of(finding))) continue;
-    const bool has_study = finding.study.empty() || studies.contains(finding.study);
-    const std::string what = finding.study.empty() ? finding.name
-                             : has_study           ? finding.study + ": " + finding.name
-                                                   : "study " + finding.study;
+  for (const auto& [key, finding] : findings) {
+    if (others.contains(key)) continue;
+    std::string what = "study " + key.study;
+    if (key.study.empty())
+      what = key.name + (claims.contains(key.name) ? fmt::format(" by {}", fmt::join(key.judges, ", ")) : "");
+    else if (studies.contains(key.study))
+      what = key.study + ": " + key.name;
     if (only.empty() || only.back() != what) only.push_back(what);
   }
   return only;
@@ -154,20 +177,21 @@ std::size_t Comparison::changed() const {
 }
 
 Comparison compare(const std::vector<Finding>& before, const std::vector<Finding>& after) {
-  const auto earlier = by_key(before), later = by_key(after);
+  const auto of_before = with_keys(before), of_after = with_keys(after);
+  const ByKey earlier(of_before.begin(), of_before.end()), later(of_after.begin(), of_after.end());
   Comparison comparison;
-  for (const Finding& finding : before) {
-    const auto found = later.find(key_of(finding));
-    if (found == later.end() || !std::ranges::is_permutation(finding.judges, found->second->judges)) continue;
-    const bool cost = finding.kind == Finding::Kind::cost;
-    (cost ? comparison.costs : comparison.changes).push_back(change_between(finding, *found->second));
+  for (const auto& [key, finding] : of_before) {
+    const auto found = later.find(key);
+    if (found == later.end()) continue;
+    const bool cost = finding->kind == Finding::Kind::cost;
+    (cost ? comparison.costs : comparison.changes).push_back(change_between(*finding, *found->second));
   }
   std::ranges::stable_sort(comparison.changes, std::greater{},
                            [](const Change& c) { return std::pair(c.bands, c.after.kind == Finding::Kind::verdict); });
   std::ranges::stable_sort(comparison.costs, std::greater{},
                            [](const Change& c) { return c.after.number / c.before.number; });
-  comparison.only_before = only_in(before, later);
-  comparison.only_after = only_in(after, earlier);
+  comparison.only_before = only_in(of_before, later);
+  comparison.only_after = only_in(of_after, earlier);
   return comparison;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "reports/mutation_claim.hpp"
 #include "reports/page_frame.hpp"
 #include "reports/text.hpp"
 #include "reports/verdicts.hpp"
@@ -39,19 +40,24 @@ data tile_data(const Tile& tile) {
                  {"is_time", tile.is_time}});
 }
 
+/// What changed, of all that could be compared.
+std::string change_text(const std::vector<std::string>& changes, std::size_t compared, std::size_t all) {
+  if (compared == 0) return all == 0 ? "" : "not comparable, as no study is in both";
+  const std::string text = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, "; "));
+  return compared < all ? fmt::format("{} ({} of {} compared)", text, compared, all) : text;
+}
+
 Tile gate_tile(const ReportInput& input) {
   const GateSplit split = gate_split(input);
   const auto& lines = split.judged;
   Tile tile{"Gate", "gate.html", gate_text(split), gate_word(split), "", ""};
   tile.detail = lines.empty() ? "no golden of these studies" : fmt::format("goldens: {}", gate_counts(lines));
-  if (!input.earlier || lines.empty()) return tile;
+  if (!input.earlier) return tile;
   std::vector<std::string> changes;
-  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
-    const auto step = input.earlier->gate_change.find(verdict);
-    if (step != input.earlier->gate_change.end() && step->second != 0)
-      changes.push_back(fmt::format("{:+} {}", step->second, to_string(verdict)));
-  }
-  tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, ", "));
+  for (const auto& [step, count] : input.earlier->gate_change)
+    changes.push_back(
+        fmt::format("{} {}, {} {}", count, to_string(step.second), count == 1 ? "was" : "were", to_string(step.first)));
+  tile.change = change_text(changes, input.earlier->goldens_compared, lines.size());
   return tile;
 }
 
@@ -73,12 +79,17 @@ Tile claims_tile(const ReportInput& input) {
   }
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
+  std::size_t compared = 0, judged = 0;
   for (const claims::Claim& claim : claims) {
+    if (claim.studies.empty() || claim.id == mutants_claim) continue;
+    ++judged;
     const auto then = input.earlier->claims.find(claim.id);
-    if (then != input.earlier->claims.end() && then->second != claim.verdict)
+    if (then == input.earlier->claims.end()) continue;
+    ++compared;
+    if (then->second != claim.verdict)
       changes.push_back(fmt::format("{}: {}, was {}", claim.id, to_string(claim.verdict), to_string(then->second)));
   }
-  tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, "; "));
+  tile.change = change_text(changes, compared, judged);
   return tile;
 }
 

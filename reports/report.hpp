@@ -40,9 +40,12 @@ struct Changes {
 
 /// What the store's version before this one says.
 struct Earlier {
+  using VerdictStep = std::pair<records::Verdict, records::Verdict>;  ///< then, now
+
   std::string label;                                     ///< of the version
-  std::map<records::Verdict, int> gate_change;           ///< how many more goldens have this verdict now; no trials
-  std::map<std::string, claims::Claim::Verdict> claims;  ///< verdicts by id
+  std::size_t goldens_compared = 0;                      ///< those whose study both versions have; no trials
+  std::map<VerdictStep, int> gate_change;                ///< how many of them have another verdict now
+  std::map<std::string, claims::Claim::Verdict> claims;  ///< by id, of claims that the same studies judge now
   Changes changes;                                       ///< since then
   std::vector<double> cost_ratios;                       ///< now over then, of each timed series
 };

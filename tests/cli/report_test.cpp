@@ -276,7 +276,7 @@ TEST_F(ReportCommand, ComparesTheGateOfTwoVersionsByTheSameGoldens) {
   const Answer answer = report("--goldens " + (folder_ / "goldens"));
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(page("index.html"), HasSubstr("goldens: 1 inconclusive, 2 pass</span> <span class=\"change\">Since the "
-                                            "version before: as before</span>"));
+                                            "version before: as before (2 of 3 compared)</span>"));
 }
 
 }  // namespace mpmvv::cli::report_test

@@ -222,17 +222,37 @@ TEST(Compare, OfVerdictsOnACriterionHoldsIsTheBestAndFailsTheWorst) {
   EXPECT_TRUE(std::isnan(change(shown, shown))) << "nothing is asked";
 }
 
-TEST(Compare, OfAClaimThatOtherStudiesJudgeSaysNothing) {
+TEST(Compare, TellsWhichStudiesJudgeAClaimThatOthersJudgeInTheOtherVersion) {
   const auto judged_by = [](const std::vector<std::string>& studies) {
     Finding finding = word("claim B-v", studies.size() == 2 ? "partly" : "refuted");
+    finding.study = "";
     finding.judges = studies;
     return std::vector{finding};
   };
-  const Comparison comparison = compare(judged_by({"a", "b"}), judged_by({"b"}));
+  const Comparison comparison = compare(judged_by({"b", "a"}), judged_by({"b"}));
   EXPECT_THAT(comparison.changes, IsEmpty()) << "study a has not run yet";
-  EXPECT_THAT(comparison.only_before, IsEmpty());
-  EXPECT_THAT(comparison.only_after, IsEmpty());
+  EXPECT_THAT(comparison.only_before, ElementsAre("claim B-v by a, b"));
+  EXPECT_THAT(comparison.only_after, ElementsAre("claim B-v by b"));
   EXPECT_EQ(compare(judged_by({"a", "b"}), judged_by({"b", "a"})).changes.size(), 1U);
+}
+
+/// Two criteria of a claim may have one statement, each for a series of its own.
+TEST(Compare, OfFindingsWithOneNameTheFirstIsHeldAgainstTheFirst) {
+  const auto two = [](const std::string& second) {
+    return std::vector{word("criterion 'o' of claim c", "holds"), word("criterion 'o' of claim c", second)};
+  };
+  EXPECT_EQ(compare(two("holds"), two("fails")).changed(), 1U);
+  EXPECT_EQ(compare(two("fails"), two("fails")).changed(), 0U);
+}
+
+TEST(Compare, ANumberThatBecomesInfiniteIsBeyondAll) {
+  const auto bands = [](double before, double after) {
+    return compare({number(Kind::value, "v", before)}, {number(Kind::value, "v", after)}).changes[0].bands;
+  };
+  EXPECT_EQ(bands(13.8, INFINITY), INFINITY);
+  EXPECT_EQ(bands(INFINITY, 13.8), INFINITY);
+  EXPECT_EQ(bands(-INFINITY, INFINITY), INFINITY);
+  EXPECT_EQ(bands(INFINITY, INFINITY), 0);
 }
 
 TEST(Compare, CostIsShownApart) {

@@ -130,14 +130,20 @@ TEST(Report, CountsClaimsOfPapersAndOurOwnApart) {
                                                    "2 confirmed, 1 open</span>")));
 }
 
-TEST(Report, SaysWhatChangedInTheGate) {
+TEST(Report, SaysWhichGoldensHaveAnotherVerdict) {
   const TempFolder folder;
   auto in = input();
   in.earlier.emplace();
-  EXPECT_THAT(page_of(in, folder), HasSubstr("1 inconclusive, 1 pass</span> <span class=\"change\">Since the version "
-                                             "before: as before</span>"));
-  in.earlier->gate_change = {{records::Verdict::pass, -1}, {records::Verdict::inconclusive, 1}};
-  EXPECT_THAT(page_of(in, folder), HasSubstr("Since the version before: +1 inconclusive, -1 pass</span>"));
+  const std::string counts = "1 inconclusive, 1 pass</span> <span class=\"change\">Since the version before: ";
+  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "not comparable, as no study is in both</span>"));
+  in.earlier->goldens_compared = 2;
+  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "as before</span>"));
+  in.earlier->goldens_compared = 1;
+  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "as before (1 of 2 compared)</span>"));
+  in.earlier->goldens_compared = 2;
+  in.earlier->gate_change = {{{records::Verdict::pass, records::Verdict::inconclusive}, 1},
+                             {{records::Verdict::fail, records::Verdict::pass}, 1}};
+  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "1 inconclusive, was pass; 1 pass, was fail</span>"));
 }
 
 TEST(Report, SaysNoChangeWhereNothingIsJudged) {
