@@ -11,7 +11,6 @@
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
-#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -134,7 +133,7 @@ int export_records(const DbOptions& options) {
     print_text(csv);
     return 0;
   }
-  support::write_if_changed(options.out, csv);
+  write_output("--out", options.out, csv);
   return 0;
 }
 

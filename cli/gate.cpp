@@ -121,7 +121,7 @@ int gate(const GateOptions& options) {
                         {.only = options.only,
                          .trials = options.as_set ? goldens::Trials::judged : goldens::Trials::inconclusive,
                          .outdated = outdated(results, {options.db, store::Store::Mode::read}, options.max_age)});
-  if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
+  if (!options.junit.empty()) write_output("--junit", options.junit, goldens::junit_xml(report));
   if (options.json)
     print_json(gate_json(report, gated_codes(options, report)));
   else

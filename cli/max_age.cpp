@@ -21,11 +21,16 @@ std::map<std::string, std::string> outdated(const std::vector<records::StudyResu
                                             std::optional<int> hours) {
   std::map<std::string, std::string> reasons;
   if (!hours) return reasons;
-  const std::string earliest = store::time_text(std::chrono::system_clock::now() - std::chrono::hours(*hours));
-  for (const records::StudyResult& study : studies)
-    if (const auto kept = store.study_provenance(study.name, store::current_provenance().digest);
-        kept && kept->time < earliest)
+  const auto now = std::chrono::system_clock::now();
+  const std::string earliest = store::time_text(now - std::chrono::hours(*hours));
+  const std::string latest = store::time_text(now + std::chrono::hours(1));  // clocks of several machines may differ
+  for (const records::StudyResult& study : studies) {
+    const auto kept = store.study_provenance(study.name, store::current_provenance().digest);
+    if (kept && kept->time < earliest)
       reasons[study.name] = fmt::format("last run {}, more than {} h ago", kept->time, *hours);
+    else if (kept && kept->time > latest)
+      reasons[study.name] = fmt::format("last run {}, in the future: a clock was wrong", kept->time);
+  }
   return reasons;
 }
 

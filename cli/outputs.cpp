@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -53,6 +56,18 @@ void require_apart(const std::string& option, const fs::path& output, const std:
   if (whole(output) == whole(other_output) || fs::equivalent(output, other_output, absent))
     throw support::UsageError(
         fmt::format("{} and {} both write '{}' (a file each)", option, other_option, other_output.string()));
+}
+
+void write_output(const std::string& option, const fs::path& file, const std::string& text) {
+  constexpr std::size_t telling = 5;  // "<?xml", or a table's first columns
+  std::string begin(telling, '\0');
+  std::ifstream old(file, std::ios::binary);
+  old.read(begin.data(), telling);
+  begin.resize(static_cast<std::size_t>(old.gcount()));
+  if (!begin.empty() && !text.starts_with(begin))
+    throw support::UsageError(fmt::format(
+        "{} {} is there, and is not what this command writes (another name, or remove it)", option, file.string()));
+  support::write_if_changed(file, text);
 }
 
 }  // namespace mpmvv::cli

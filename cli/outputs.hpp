@@ -15,4 +15,8 @@ void require_apart(const std::string& option, const std::filesystem::path& outpu
 void require_apart(const std::string& option, const std::filesystem::path& output, const std::string& other_option,
                    const std::filesystem::path& other_output);
 
+/// Writes the text into the file that `option` names. UsageError where that is a file which does not begin as the text
+/// does: it is of another kind, and the name is a slip.
+void write_output(const std::string& option, const std::filesystem::path& file, const std::string& text);
+
 }  // namespace mpmvv::cli

@@ -9,7 +9,6 @@
 #include "cli/outputs.hpp"
 #include "studies/codes/conditions.hpp"
 #include "studies/codes/start_text.hpp"
-#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -64,8 +63,8 @@ int particles(const ParticlesOptions& options) {
   if (!options.csv.empty() && !options.vtu.empty()) require_apart("--csv", options.csv, "--vtu", options.vtu);
   const cases::Case c = options.of_case.the_case();
   const codes::StartState state = codes::start_state(c);
-  if (!options.csv.empty()) support::write_if_changed(options.csv, codes::csv_text(state));
-  if (!options.vtu.empty()) support::write_if_changed(options.vtu, codes::vtu_text(state));
+  if (!options.csv.empty()) write_output("--csv", options.csv, codes::csv_text(state));
+  if (!options.vtu.empty()) write_output("--vtu", options.vtu, codes::vtu_text(state));
   if (options.json)
     print_json(conditions_json(c, state));
   else if (options.csv.empty() && options.vtu.empty())

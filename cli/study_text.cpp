@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "cli/console.hpp"
 #include "cli/criteria_text.hpp"
 #include "cli/error_tables.hpp"
@@ -42,6 +44,15 @@ void print_left_out(const records::StudyResult& study) {
         print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
 }
 
+std::string replicates_text(const std::string& whose, const fits::ReplicateFit& fit) {
+  if (fit.observations == 0)
+    return fmt::format("replicates of {}: no interval from them, as one is missing or not above 0", whose);
+  std::string text = fmt::format("replicates of {}: {} runs", whose, fit.observations);
+  if (std::isnan(fit.half_width)) return text + ", too few for an interval";
+  text += fmt::format(" that scatter by {:.2g} of the error, order ± {:.2f}", fit.scatter, fit.half_width);
+  return std::isnan(fit.lack_of_fit) ? text : text + fmt::format(", lack of fit p = {:.2g}", fit.lack_of_fit);
+}
+
 /// Prints on what grounds fits say what they do: floors, replicates and remarks.
 void print_fits(const Series& series) {
   for (const fits::ObservedOrder& order : series.orders) {
@@ -50,10 +61,7 @@ void print_fits(const Series& series) {
       print_indented(fmt::format("floor of {}: {} ({})", whose,
                                  order.floor->accepted ? number_text(order.floor->floor) : "none",
                                  order.floor->reason));
-    if (const auto& fit = order.replicates)
-      print_indented(fmt::format(
-          "replicates of {}: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}",
-          whose, fit->observations, fit->scatter, fit->half_width, fit->lack_of_fit));
+    if (const auto& fit = order.replicates) print_indented(replicates_text(whose, *fit));
   }
   for (const fits::Extrapolation& e : series.extrapolations)
     if (!e.remark.empty()) print_indented(fmt::format("'{}' in {}: {}", series.name, e.norm, e.remark));

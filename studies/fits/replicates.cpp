@@ -18,8 +18,11 @@ constexpr double log_round_off = 1e-24;  ///< of sums of squares of logarithms
 }  // namespace
 
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to) {
+  const std::vector<ErrorSample> within_window = samples_within(samples, from, to);
+  const auto has_logarithm = [](const ErrorSample& s) { return s.e > 0; };
+  if (within_window.empty() || !std::ranges::all_of(within_window, has_logarithm)) return {};
   std::map<double, std::vector<double>> levels;  // log e by log h
-  for (const ErrorSample& s : usable_samples(samples, from, to)) levels[std::log(s.h)].push_back(std::log(s.e));
+  for (const ErrorSample& s : within_window) levels[std::log(s.h)].push_back(std::log(s.e));
 
   double n = 0, mean_x = 0, mean_y = 0;
   for (const auto& [x, ys] : levels)

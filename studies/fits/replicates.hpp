@@ -6,7 +6,7 @@
 namespace mpmvv::fits {
 
 /// What true replicates say of the line log e = log C + p log h: several samples at each h, from runs that differ in
-/// what should not matter (where the body lies on the grid, say). Over the usable samples of the window:
+/// what should not matter (where the body lies on the grid, say). Over the samples of the window:
 ///   scatter       standard deviation s of log e within the levels, with n - m degrees of freedom (n samples, m levels)
 ///   lack_of_fit   probability that levels whose scatter is s lie as far from the line as these do, or farther, by
 ///                 Fisher's F of their mean square about the line (m - 2) over s²: small means that the line is no law
@@ -14,7 +14,8 @@ namespace mpmvv::fits {
 ///   half_width    of p, 95 %, from that scatter: t(n - m) s / sqrt(Σ (log h - mean)²); where the lack of fit is under
 ///                 5 % from the levels' mean square about the line instead, with t(m - 2): the scatter alone would then
 ///                 give many digits to a slope that does not exist
-/// NaN where degrees of freedom are missing. Levels with the same number of samples each have the same slope as their
+/// NaN where degrees of freedom are missing, and nothing at all where a sample is not above 0: it has no logarithm, and
+/// the scatter of the others says too little. Levels with the same number of samples each have the same slope as their
 /// geometric means.
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to);
 

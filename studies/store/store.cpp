@@ -218,9 +218,10 @@ Contents Store::contents() const {
                     .codes = {}};
   for (const auto& [status, records] : with_status) contents.records += records;
   database.each(
-      "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
-      "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.digest, git_commit, dirty ORDER BY last "
-      "DESC",
+      "SELECT digest, git_commit, dirty, sum(records) AS records, max(kept_at) AS last FROM provenance JOIN "
+      "(SELECT provenance, kept_at, 1 AS records FROM runs UNION ALL SELECT provenance, kept_at, 0 FROM studies) AS "
+      "kept "
+      "ON kept.provenance = provenance.id GROUP BY digest, git_commit, dirty ORDER BY last DESC",
       {}, [&](const Row& row) {
         contents.programs.push_back({row["digest"].text(), row["git_commit"].text(), row["dirty"].flag(),
                                      row["records"].integer(), row["last"].text()});

@@ -66,12 +66,12 @@ class SmallFiles {
 TEST(DbCommand, AnExportThatFailsLeavesWhatWasThere) {
   const Folder folder;
   const std::string db = store_of(folder);
-  const std::string csv = folder.write("old.csv", "old");
+  const std::string csv = folder.write("old.csv", "id,case");
   {
     const SmallFiles limit(1000);
     EXPECT_EQ(call(folder, "db export --db " + db + " --out " + csv).code, 2);
   }
-  EXPECT_EQ(read_text(csv), "old");
+  EXPECT_EQ(read_text(csv), "id,case");
   EXPECT_EQ(call(folder, "db export --db " + db + " --out " + csv).code, 0);
   EXPECT_THAT(read_text(csv), HasSubstr("case_text"));
 }
@@ -93,7 +93,7 @@ TEST(DbCommand, PruneNamesTheVersionsThatItRemoves) {
   store::Provenance old = store::current_provenance();
   old.digest = "0123456789abcdef", old.commit = "c0ffee", old.dirty = false, old.time = "2024-05-06T07:08:09Z";
   records::StudyResult study;
-  study.name = "old";
+  study.name = "id,case";
   store::Store(db, store::Store::Mode::write).keep_study(study, {}, old);
   const Answer prune = call(folder, "db prune --keep 1 --db " + db);
   EXPECT_EQ(prune.code, 0);

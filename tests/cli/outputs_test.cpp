@@ -55,6 +55,21 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
   EXPECT_EQ(read_text(folder / "s.toml"), small_study);
 }
 
+TEST_F(Outputs, ReplaceNoFileOfAnotherKind) {
+  const std::string cd = "cd '" + (folder / "") + "' && ";
+  folder.write("notes.txt", "dear diary\n");
+  for (const char* arguments : {"db export --db v.db --out notes.txt",
+                                "particles --problem bar --cells 8 --ppc 2 --basis linear --cfl 0.2 --csv notes.txt",
+                                "particles --problem bar --cells 8 --ppc 2 --basis linear --cfl 0.2 --vtu notes.txt"}) {
+    const Answer answer = call(folder, arguments, cd);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, HasSubstr("notes.txt is there, and is not what this command writes")) << arguments;
+  }
+  EXPECT_EQ(read_text(folder / "notes.txt"), "dear diary\n");
+  folder.write("notes.txt", "");
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(call(folder, "db export --db v.db --out notes.txt", cd).code, 0) << k;
+}
+
 TEST_F(Outputs, AreNoFolderThatHoldsAnInput) {
   const std::string cd = "cd '" + (folder / "") + "' && ";
   for (const char* arguments :

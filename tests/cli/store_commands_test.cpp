@@ -125,6 +125,15 @@ TEST(GateCommand, DoesNotPassWhatIsOlderThanAsked) {
   EXPECT_THAT(old.out, HasSubstr("last run 2001-01-01T00:00:00Z, more than 12 h ago"));
   ASSERT_EQ(carry_out(folder, "mpmvv report --db r.db --max-age 12 --out report").code, 0);
   EXPECT_THAT(read_text(folder / "report/gate.html"), HasSubstr("last run 2001-01-01T00:00:00Z, more than 12 h ago"));
+  {
+    store::Store store(folder / "r.db", store::Store::Mode::write);
+    store::Provenance later = store::current_provenance();
+    later.time = "2999-01-01T00:00:00Z";
+    store.keep_study(store.studies(later.digest).at(0), {{}, {}}, later);
+  }
+  const Answer future = carry_out(folder, "mpmvv gate --db r.db --max-age 12");
+  EXPECT_EQ(future.code, 3);
+  EXPECT_THAT(future.out, HasSubstr("last run 2999-01-01T00:00:00Z, in the future: a clock was wrong"));
   ASSERT_EQ(carry_out(folder, "mpmvv study small.toml --db r.db").code, 0) << "nothing is run, and it is looked at";
   EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db --max-age 12").code, 0);
 }

@@ -71,6 +71,16 @@ TEST(Replicates, SaysNothingWithoutThem) {
   EXPECT_GT(alike.half_width, 0.1);
 }
 
+/// One that is left out would leave a scatter, and a slope, that are those of other data than the order's.
+TEST(Replicates, SayNothingWhereOneIsNotAboveZero) {
+  auto samples = sampled(quadratic, 4, 0.1, 1);
+  samples[5].e = -samples[5].e;
+  const ReplicateFit fit = fit_replicates(samples, 8, 128);
+  EXPECT_EQ(fit.observations, 0);
+  EXPECT_TRUE(std::isnan(fit.half_width));
+  EXPECT_GT(fit_replicates(samples, 2 * samples[5].x, 128).half_width, 0) << "but for one beyond the window";
+}
+
 TEST(Replicates, OutsideTheWindowDoNotCount) {
   EXPECT_EQ(fit_replicates(sampled(quadratic, 3, 0.1, 1), 16, 64).observations, 9);
 }
