@@ -183,7 +183,7 @@ int figure(const FigureOptions& options) {
   require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
   require_name_for(sheet.format, options.out);
-  const auto [charts, others] = reports::choose_figures(results_to_draw(options), options.name);
+  const auto [charts, others] = reports::choose_figures(results_to_draw(options), options.name, letter_on(sheet));
   require_open_height(charts, options);
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)

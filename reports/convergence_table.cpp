@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include "reports/chart.hpp"
@@ -30,7 +31,7 @@ namespace {
 
 constexpr std::size_t longest_shown = 40;
 constexpr std::size_t abreast = 4, abreast_without_orders = 5;
-constexpr std::size_t lines_on_page = 50, lines_of_head = 4, rows_of_piece = 40;
+constexpr std::size_t lines_on_page = 50, rows_of_piece = 40;
 constexpr const char* none = "--";
 
 std::string in_three_digits(double error) {
@@ -50,6 +51,23 @@ std::string base_of_orders(const std::string& sweep) {
   return sweep == "dt" ? "$\\Delta t$" : sweep == "ppc" ? "1/ppc" : latex_text(sweep);
 }
 
+/// How many lines a text takes whose words are broken into lines of so many letters.
+std::size_t lines_of(const std::string& text, std::size_t letters) {
+  std::istringstream words(text);
+  std::size_t lines = 1, used = 0;
+  for (std::string word; words >> word;) {
+    if (used > 0 && used + 1 + word.size() > letters) ++lines, used = 0;
+    used += (used > 0 ? 1 : 0) + word.size();
+  }
+  return lines;
+}
+
+/// How many lines a caption takes beyond those that every page has room for; at most half a page.
+std::size_t lines_beyond_a_few(const std::string& caption) {
+  constexpr std::size_t letters = 75, few = 6;
+  return std::min(std::max(lines_of(caption, letters), few) - few, lines_on_page / 2);
+}
+
 using Window = std::pair<double, double>;
 
 std::string name_of(const Window& window) {
@@ -67,7 +85,8 @@ class ConvergenceTable {
     std::set<double> levels;
     std::set<Window> windows;
     for (const Series& series : study.series) {
-      const bool has_any = std::ranges::any_of(series.points, [&](const Point& point) { return is_measured(point); });
+      const bool has_any = std::ranges::any_of(
+          series.points, [&](const Point& point) { return is_measured(point) || point.status != records::Status::ok; });
       if (series.points.size() > longest_shown || !has_any) continue;
       series_.push_back(&series);
       for (const Point& point : series.points) levels.insert(point.x);
@@ -84,7 +103,8 @@ class ConvergenceTable {
   std::string text() const {
     if (series_.empty()) return "";
     const std::vector<Piece> pieces = pieces_of(most_abreast());
-    const std::size_t on_page = std::max<std::size_t>(1, lines_on_page / (pieces.front().lines() + lines_of_head));
+    const std::size_t on_page = std::max<std::size_t>(
+        1, (lines_on_page - lines_beyond_a_few(caption())) / (pieces.front().lines() + lines_of_head()));
     std::string text;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       if (k % on_page == 0) text += (k > 0 ? "\\end{table}\n" : "") + beginning(pieces[k], k == 0);
@@ -140,6 +160,18 @@ class ConvergenceTable {
 
   bool has_orders() const { return !windows_.empty(); }
 
+  /// The width of a column's head, in mm.
+  int head_width() const { return has_orders() ? 23 : 17; }
+
+  /// How many lines the head of a piece takes: names, which are broken, symbols and rules.
+  std::size_t lines_of_head() const {
+    constexpr double letters_per_mm = 0.6;
+    std::size_t names = 1;
+    for (const Series* series : series_)
+      names = std::max(names, lines_of(series->name, static_cast<std::size_t>(letters_per_mm * head_width())));
+    return names + 3;
+  }
+
   /// How many series stand abreast: fewer where the windows have long names.
   std::size_t most_abreast() const {
     constexpr std::size_t short_name = 11;
@@ -185,7 +217,7 @@ class ConvergenceTable {
     for (std::size_t k = 0; k < shown.size(); ++k) {
       columns += has_orders() ? "@{\\hspace{7pt}}r@{\\hspace{4pt}}r" : "@{\\hspace{7pt}}r";
       names.push_back(fmt::format("\\multicolumn{{{}}}{{c}}{{\\parbox[b]{{{}mm}}{{\\centering {}}}}}", width,
-                                  has_orders() ? 23 : 17, typeset(shown[k]->name, Notation::latex)));
+                                  head_width(), typeset(shown[k]->name, Notation::latex)));
       rules += fmt::format("\\cmidrule(lr){{{}-{}}}", 2 + k * width, 1 + (k + 1) * width);
       heads.push_back(norm_symbol(norm_).symbol);
       if (has_orders()) heads.emplace_back("order");

@@ -172,7 +172,8 @@ class ErrorChart {
       for (const auto& dot : curve.dots) {
         ++point_;
         if (curve.marked && dot.mark != Mark::absent && !holds(chart_, dot))
-          note_missing(curve.name, dot.x, fmt::format("{} is off the axes", on_axis(dot.value)));
+          note_missing(curve.name, dot.x,
+                       dot.mark == Mark::unstable ? "unstable, off the axes" : on_axis(dot.value) + " is off the axes");
       }
   }
 
@@ -232,7 +233,7 @@ class ErrorChart {
     if (rules(Rule::Kind::reference)) aid += "Grey, with a triangle: reference slopes. ";
     if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";
     if (rules(Rule::Kind::limit)) aid += "Vertical lines: bracket of the stability limit. ";
-    if (marks(Mark::unstable)) aid += "Crosses in the band at the upper edge: unstable. ";
+    if (chart_.band > 0) aid += "Crosses in the band at the upper edge: unstable. ";
     if (!aid.empty()) chart_.notes.push_back(aid.substr(0, aid.size() - 1));
     note_left_out();
     if (missing_.empty()) return;

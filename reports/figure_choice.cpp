@@ -82,8 +82,8 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
 
 }  // namespace
 
-FigureChoice choose_figures(const std::vector<StudyResult>& studies, const std::string& name) {
-  const ChartsByStudy charts = charts_of_all(studies, paper_letter);
+FigureChoice choose_figures(const std::vector<StudyResult>& studies, const std::string& name, double letter) {
+  const ChartsByStudy charts = charts_of_all(studies, letter);
   auto named = charts_where(studies, charts, [&](const StudyResult&, const Chart& chart) {
     return chart.name == name || own_name(chart) == name;
   });

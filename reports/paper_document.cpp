@@ -92,7 +92,7 @@ std::string letter_of(std::size_t panel) {
 
 PaperDocument::PaperDocument(const std::vector<StudyResult>& studies, const Sheet& column,
                              const std::vector<std::string>& names)
-    : studies_(studies), column_(column), charts_(charts_of_all(studies, paper_letter)) {
+    : studies_(studies), column_(column), charts_(charts_of_all(studies, letter_on(column))) {
   for (std::size_t i = 0; i < studies.size(); ++i)
     for (const Chart& chart : charts_[i]) by_name_[chart.name] = &chart, study_of_[chart.name] = &studies[i];
   if (!names.empty()) {
@@ -142,8 +142,9 @@ void PaperDocument::add_figure(PaperPart& part, const PaperFigure& figure, const
 }
 
 PrintedFigure PaperDocument::alone(const Chart& chart) const {
-  return {
-      {&chart}, latex_text(chart.name + ".") + " " + whole_caption(chart, chart.caption), !has_room(chart, column_)};
+  constexpr double tallest = 180;  ///< mm, with which a page still has room for a caption
+  const bool takes_two_columns = !has_room(chart, column_) || height_of(chart, column_) > tallest;
+  return {{&chart}, latex_text(chart.name + ".") + " " + whole_caption(chart, chart.caption), takes_two_columns};
 }
 
 PaperPart PaperDocument::the_rest() const {

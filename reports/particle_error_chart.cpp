@@ -43,7 +43,11 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
   for (const LastRun& run : runs)
     for (const ParticleError& one : run.errors())
       if (one.error > 0) errors.push_back(one.error);
-  if (errors.empty()) return make_axis({error_label, true, {}, {}}, errors);
+  if (errors.empty()) {
+    Axis axis = make_axis({std::string(error_label) + ", all 0", true, {}, {}}, errors);
+    axis.tics = {{axis.from, ""}};
+    return axis;
+  }
   std::ranges::sort(errors);
   const double low = errors[errors.size() / 50];
   return make_axis({error_label, true, {}, {}}, std::vector{std::min(low, errors.back() / 2), errors.back()});
@@ -95,7 +99,8 @@ Chart errors_along_a_line(const records::StudyResult& study, const records::Figu
     chart.curves.push_back(std::move(curve));
   }
   chart.x = make_axis({figure.xlabel, false, figure.x_min, figure.x_max, 0.02, 0.02}, places);
-  chart.y = make_axis({error_label, true, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
+  const std::string label = figure.ylabel.empty() ? error_label : figure.ylabel;
+  chart.y = make_axis({label, true, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
   return chart;
 }
 
@@ -111,6 +116,15 @@ bool lacks_mirror_images(const LastRun& run) {
   const bool is_line = std::ranges::all_of(run.errors(), [](const ParticleError& one) { return one.y == 0; });
   return images != run.point->y.end() && images->second > (is_line ? 1 : 2) &&
          (is_beside(&ParticleError::x) || is_beside(&ParticleError::y));
+}
+
+/// The series whose particles all have the error 0.
+std::vector<std::string> without_error(const std::vector<LastRun>& runs) {
+  std::vector<std::string> names;
+  for (const LastRun& run : runs)
+    if (std::ranges::none_of(run.errors(), [](const ParticleError& one) { return one.error > 0; }))
+      names.push_back(run.series->name);
+  return names;
 }
 
 /// The series of which nothing is drawn as no run is sound.
@@ -140,6 +154,10 @@ void add_notes(Chart& chart, const records::StudyResult& study, const records::F
         "particles are many, a square stands for neighbours, with their RMS error.");
   if (chart.shades && std::ranges::any_of(runs, [](const LastRun& run) { return run.errors().size() == 1; }))
     chart.notes.emplace_back("How large a lone particle is is not known: its square is a guess.");
+  if (const auto names = without_error(runs); !names.empty())
+    chart.omissions.push_back(fmt::format("The errors are exactly 0, {}: {}.",
+                                          chart.shades ? "drawn like the smallest" : "which has no place on the axis",
+                                          fmt::join(names, "; ")));
   if (const auto names = never_sound(study, figure); !names.empty())
     chart.omissions.push_back(
         fmt::format("Not drawn, as all its runs are unstable or failed: {}.", fmt::join(names, "; ")));

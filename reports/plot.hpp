@@ -29,6 +29,13 @@ bool has_own_height(const Chart& chart);
 /// Whether the chart's axes are long enough to be read on such a sheet.
 bool has_room(const Chart& chart, const Sheet& sheet);
 
+/// The height of the chart on the sheet, with its key, in mm.
+double height_of(const Chart& chart, const Sheet& sheet);
+
+/// The height of a letter on the sheet, about, as a fraction of the axes': `paper_letter` on a sheet as it is by
+/// itself.
+double letter_on(const Sheet& sheet);
+
 /// Draws the plots whose script or data differ from the folder's, or whose pictures are absent; returns how many these
 /// were. Throws UsageError when gnuplot is missing, fails, exceeds the time limit, which is that for ten plots, or
 /// leaves a picture out.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace mpmvv::reports {
 
@@ -18,9 +19,6 @@ constexpr double sample_gap = 0.7;    ///< from there to the text
 constexpr double key_gap = 1.2;
 constexpr double row_height = 1.4;  ///< of the key
 constexpr double line_height = 1.25;
-constexpr double label_room = 4.1;  ///< below the axes: tics, label and a gap
-
-constexpr double paper_ratio = 0.7;  ///< height to width, with labels
 
 double characters(const std::string& utf8) {
   return static_cast<double>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
@@ -67,8 +65,19 @@ std::vector<std::string> lines_of(const std::string& text, double font, double r
 }
 
 /// The label of the vertical axis in lines that are no longer than the axis.
-std::vector<std::string> y_label_lines(const Chart& chart, const PageSize& page) {
-  return lines_of(chart.y.label, page.font, page.height - label_room * page.font);
+std::vector<std::string> y_label_lines(const Chart& chart, const Layout& layout) {
+  return lines_of(chart.y.label, layout.page.font, layout.page.height - layout.label_room());
+}
+
+/// Breaks the titles of panels, which stand beside one another above the axes.
+void set_titles(Layout& layout, const Chart& chart) {
+  const double font = layout.page.font, across = layout.page.width - layout.left - layout.right;
+  std::size_t most = 1;
+  for (const Label& title : chart.labels) {
+    layout.titles.push_back(lines_of(title.text, font, across / static_cast<double>(chart.labels.size()) - font));
+    most = std::max(most, layout.titles.back().size());
+  }
+  layout.top = (0.55 + line_height * static_cast<double>(most)) * font;
 }
 
 /// The key below the axes, in as many columns as fit beside one another; what fits into none is broken into lines.
@@ -107,16 +116,21 @@ double Layout::key_height() const {
   return key_rows == 0 ? 0 : (row_height * key_rows + 0.3) * page.font;
 }
 
+double Layout::label_room() const {
+  return (4.1 + line_height * static_cast<double>(x_label.size() - 1)) * page.font;
+}
+
 double Layout::axes_bottom() const {
-  return (key_height() + label_room * page.font) / height();
+  return (key_height() + label_room()) / height();
 }
 
 double Layout::axes_top() const {
   return 1 - top / height();
 }
 
-double Layout::x_label_at() const {
-  return (key_height() + page.font) / height();
+double Layout::x_label_at(std::size_t line) const {
+  const auto lines_below = static_cast<double>(x_label.size() - 1 - line);
+  return (key_height() + (1 + line_height * lines_below) * page.font) / height();
 }
 
 double Layout::y_label_at(std::size_t line) const {
@@ -129,8 +143,12 @@ double Layout::shades_label_at() const {
 
 bool Layout::has_room() const {
   constexpr double least = 8;  ///< in sizes of the font
+  double widest_title = 0;
+  for (const auto& lines : titles)
+    for (const std::string& line : lines) widest_title = std::max(widest_title, text_width(line, page.font));
   const double across = (axes_right() - axes_left()) * page.width, up = (axes_top() - axes_bottom()) * height();
-  return across >= least * page.font && (has_named_rows || up >= least * page.font);
+  return across >= std::max(least * page.font, static_cast<double>(titles.size()) * widest_title) &&
+         (has_named_rows || up >= least * page.font);
 }
 
 KeyPlace Layout::key_place(int row) const {
@@ -148,24 +166,30 @@ Layout report_layout(const Chart& chart) {
   layout.page.width = chart.width * points_per_pixel;
   layout.page.height = chart.height * points_per_pixel;
   layout.top = 0.8 * layout.page.font;
-  layout.y_label = y_label_lines(chart, layout.page);
+  layout.x_label = lines_of(chart.x.label, layout.page.font, 0.8 * layout.page.width);
+  layout.y_label = y_label_lines(chart, layout);
   set_key(layout, chart);
   return layout;
 }
 
 Layout paper_layout(const Chart& chart, double width, double font, double height) {
   Layout layout;
-  layout.page = {width, font, paper_ratio * width};
+  layout.page = {width, font, usual_ratio * width};
   set_key(layout, chart);
   if (height > 0) layout.page.height = height - layout.key_height();
   layout.has_named_rows = chart.y.names;
   if (chart.y.names) layout.page.height = chart.height * points_per_pixel * font / PageSize{}.font;
-  layout.top = (chart.to_scale ? 1.8 : 0.8) * font;
-  layout.y_label = y_label_lines(chart, layout.page);
-  set_sides(layout, chart);
+  layout.top = 0.8 * font;
+  for (int k = 0; k < 2; ++k) {  // how many lines one label takes depends on the other's
+    layout.y_label = y_label_lines(chart, layout);
+    set_sides(layout, chart);
+    const double centre = (layout.left + width - layout.right) / 2;
+    layout.x_label = lines_of(chart.x.label, font, 2 * std::min(centre, width - centre) - font);
+  }
   if (chart.to_scale) {
+    set_titles(layout, chart);
     const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);
-    layout.page.height = shape * (width - layout.left - layout.right) + label_room * font + layout.top;
+    layout.page.height = shape * (width - layout.left - layout.right) + layout.label_room() + layout.top;
   }
   return layout;
 }
@@ -178,6 +202,23 @@ Axis with_room(Axis axis, double length, double font) {
       tic.text.clear();
     else if (!tic.text.empty())
       taken = at + half;
+  }
+  return axis;
+}
+
+Axis with_room_upright(Axis axis, double length, double font) {
+  constexpr double apart = 1.1;  ///< of two lines' middles, in sizes of the font
+  std::vector<Tic*> named;
+  for (Tic& tic : axis.tics)
+    if (!tic.text.empty()) named.push_back(&tic);
+  std::ranges::sort(named, std::greater{}, [](const Tic* tic) { return tic->at; });
+  double taken = 2;
+  for (Tic* tic : named) {
+    const double at = axis.fraction(tic->at);
+    if ((taken - at) * length < apart * font)
+      tic->text.clear();
+    else
+      taken = at;
   }
   return axis;
 }

@@ -6,6 +6,8 @@
 
 namespace mpmvv::reports {
 
+inline constexpr double usual_ratio = 0.7;  ///< height to width of a figure in a paper, with labels
+
 /// Sizes that a figure is laid out for, in points.
 struct PageSize {
   double width = 540;
@@ -30,7 +32,8 @@ struct Layout {
   PageSize page;
   std::vector<KeyEntry> key;
   int key_columns = 1, key_rows = 0;
-  std::vector<std::string> y_label;  ///< in lines that are no longer than the axis
+  std::vector<std::string> x_label{1};  ///< in lines for which the page is wide enough
+  std::vector<std::string> y_label;     ///< in lines that are no longer than the axis
 
   double key_height() const;  ///< in points
   double height() const { return page.height + key_height(); }
@@ -38,7 +41,8 @@ struct Layout {
   double axes_bottom() const;
   double axes_top() const;
   double axes_right() const { return 1 - right / page.width; }
-  double x_label_at() const;
+  double label_room() const;  ///< below the axes, in points: tics, label and a gap
+  double x_label_at(std::size_t line) const;
   double y_label_at(std::size_t line) const;
   double shades_label_at() const;     ///< across, of the scale of colours
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
@@ -49,6 +53,8 @@ struct Layout {
 
   bool has_named_rows = false;
   double key_column = 0;  ///< width of a column of the key, in points
+
+  std::vector<std::vector<std::string>> titles;  ///< of panels to scale, in lines, in the order of the chart's labels
 
   double left = 0, right = 0, top = 0;  ///< margins, in points
 };
@@ -61,7 +67,9 @@ Layout report_layout(const Chart& chart);
 /// points, counts where the chart leaves it open; at 0 it follows from the width.
 Layout paper_layout(const Chart& chart, double width, double font, double height = 0);
 
-/// The axis without the texts of tics that would touch their neighbours on a length, both in points.
+/// The axes without the texts of tics that would touch their neighbours on a length, both in points: across, where the
+/// first of two stays, and upright, where the upper one stays.
 Axis with_room(Axis axis, double length, double font);
+Axis with_room_upright(Axis axis, double length, double font);
 
 }  // namespace mpmvv::reports

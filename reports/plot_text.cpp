@@ -86,14 +86,33 @@ std::string paper_shades(const Chart& chart, const Layout& layout, Notation text
                   quoted(chart.shades.value_or(Axis{}).label, texts), layout.shades_label_at(), reading(texts)));
 }
 
+/// Titles of panels, whose lines end where a title of one line stands.
+std::string titles_text(const Chart& chart, const Layout& layout, Notation texts) {
+  std::string text;
+  for (std::size_t k = 0; k < layout.titles.size(); ++k)
+    for (std::size_t line = 0; line < layout.titles[k].size(); ++line)
+      text += fmt::format("set label {} at {},{} center offset 0,{} front {}\n", quoted(layout.titles[k][line], texts),
+                          plot_number(chart.labels[k].at.x), plot_number(chart.labels[k].at.y),
+                          layout.titles[k].size() - 1 - line, reading(texts));
+  return text;
+}
+
 /// The texts within the axes, and the line below the band of the unstable.
-std::string labels_text(const Chart& chart, Notation texts) {
+std::string labels_text(const Chart& chart, const Layout& layout, Notation texts) {
   std::string text;
   if (chart.band > 0)
     text += fmt::format("set arrow from graph 0,{0:.5f} to graph 1,{0:.5f} nohead front lw 0.8 lc rgb '#909090'\n",
                         1 - chart.band);
+  if (!layout.titles.empty()) return text + titles_text(chart, layout, texts);
   for (const auto& label : chart.labels) text += label_text(label, texts);
   return text;
+}
+
+/// A text of several lines, as the plotting program has it.
+std::string in_lines(const std::vector<std::string>& lines) {
+  std::vector<std::string> texts;
+  for (const std::string& line : lines) texts.push_back(quoted(line, Notation::plain));
+  return fmt::format("{}", fmt::join(texts, R"(."\n".)"));
 }
 
 /// The axes, each with its label where the plotting program puts it.
@@ -103,24 +122,25 @@ std::string report_axes(const Chart& chart, const Layout& layout) {
     text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", layout.axes_bottom(),
                         layout.axes_top());
   text += fmt::format("set rmargin {}\n", chart.right_margin);
-  std::vector<std::string> y_label;
-  for (const std::string& line : layout.y_label) y_label.push_back(quoted(line, Notation::plain));
-  text += fmt::format("set xlabel {} noenhanced\n", quoted(chart.x.label, Notation::plain));
-  text += fmt::format("set ylabel {} noenhanced\n", fmt::join(y_label, R"(."\n".)"));
+  text += fmt::format("set xlabel {} noenhanced\n", in_lines(layout.x_label));
+  text += fmt::format("set ylabel {} noenhanced\n", in_lines(layout.y_label));
   return text + axis_text("x", chart.x, Notation::plain) + axis_text("y", chart.y, Notation::plain);
 }
 
 /// The axes and their labels where the layout has them, as LaTeX's letters are not the plotting program's.
 std::string paper_axes(const Chart& chart, const Layout& layout, Notation texts) {
-  const double length = (layout.axes_right() - layout.axes_left()) * layout.page.width;
+  const double across = (layout.axes_right() - layout.axes_left()) * layout.page.width;
+  const double up = (layout.axes_top() - layout.axes_bottom()) * layout.height(), font = layout.page.font;
   std::string text = fmt::format(
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
       "set tmargin at screen {:.5f}\n",
       layout.axes_left(), layout.axes_right(), layout.axes_bottom(), layout.axes_top());
-  text += axis_text("x", with_room(chart.x, length, layout.page.font), texts) + axis_text("y", chart.y, texts);
+  text += axis_text("x", with_room(chart.x, across, font), texts);
+  text += axis_text("y", with_room_upright(chart.y, up, font), texts);
   text += "set xtics offset 0,-0.25\n";  // clear of the lowest text of the other axis
-  text += fmt::format("set label {} at graph 0.5, screen {:.5f} center front {}\n", quoted(chart.x.label, texts),
-                      layout.x_label_at(), reading(texts));
+  for (std::size_t line = 0; line < layout.x_label.size(); ++line)
+    text += fmt::format("set label {} at graph 0.5, screen {:.5f} center front {}\n",
+                        quoted(layout.x_label[line], texts), layout.x_label_at(line), reading(texts));
   for (std::size_t line = 0; line < layout.y_label.size(); ++line)
     text += fmt::format("set label {} at screen {:.5f}, graph 0.5 center rotate by 90 {}\n",
                         quoted(layout.y_label[line], texts), layout.y_label_at(line), reading(texts));
@@ -180,12 +200,22 @@ bool has_room(const Chart& chart, const Sheet& sheet) {
   return layout_on(chart, sheet).has_room();
 }
 
+double height_of(const Chart& chart, const Sheet& sheet) {
+  return layout_on(chart, sheet).height() / 72 * mm_per_inch;
+}
+
+double letter_on(const Sheet& sheet) {
+  const Sheet usual;
+  const double height = sheet.height > 0 ? sheet.height : usual_ratio * sheet.width;
+  return paper_letter * sheet.font_size / usual.font_size * usual_ratio * usual.width / height;
+}
+
 Plot plot_of(const Chart& chart) {
   const Layout layout = report_layout(chart);
   const double width = layout.page.width, height = layout.height();
   const Notation plain = Notation::plain;
   std::string script = head_text(chart, fmt::format("{0}.svg and {0}.pdf", chart.name)) + placed_key(layout, plain, 1) +
-                       report_axes(chart, layout) + report_shades(chart) + labels_text(chart, plain);
+                       report_axes(chart, layout) + report_shades(chart) + labels_text(chart, layout, plain);
   script += fmt::format(svg_output, chart.name, width / 0.75, height / 0.75, plot_command(chart, 1));
   script += fmt::format(pdf_output, chart.name, width / 72, height / 72);
   return {chart.name, script, plot_data(chart), {".svg", ".pdf"}};
@@ -198,7 +228,7 @@ Plot plot_of(const Chart& chart, const Sheet& sheet) {
   const std::string picture = chart.name + ending_of(sheet.format);
   std::string script = head_text(chart, picture) + placed_key(layout, texts, mark_scale) +
                        paper_axes(chart, layout, texts) + paper_shades(chart, layout, texts) +
-                       labels_text(chart, texts);
+                       labels_text(chart, layout, texts);
   script += fmt::format("set terminal {}\nset output '{}'\n",
                         terminal_text(sheet, sheet.width / mm_per_inch, layout.height() / 72), picture);
   script += plot_command(chart, mark_scale) + "unset output\n";

@@ -141,8 +141,9 @@ std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double 
 /// "h^2" of a sweep over cells, "ppc^-2" of another one by which errors fall, else "slope 2".
 std::string name_of(double p, const std::string& sweep, bool falling) {
   if (!falling) return fmt::format("slope {:g}", p);
-  if (sweep != "cells") return fmt::format("{}^{:g}", sweep, -p);
-  return p == 1 ? "h" : fmt::format("h^{:g}", p);
+  const std::string base = sweep == "cells" ? "h" : sweep;
+  const double power = sweep == "cells" ? p : -p;
+  return power == 1 ? base : fmt::format("{}^{:g}", base, power);
 }
 
 }  // namespace
@@ -152,7 +153,7 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
   const double decades_x = std::log10(chart.x.to / chart.x.from);
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
-  if (slope == 0) return;
+  if (slope == 0) return;  // of a store from when study files might ask for it
   const std::string name = name_of(p, sweep, falling);
   const auto mark = best_mark(Clearance(chart), slope, chart.letter, width_of(name, chart.letter));
   if (!mark) return;

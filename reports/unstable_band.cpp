@@ -35,7 +35,7 @@ void add_unstable_band(Chart& chart, double row) {
   std::vector<std::pair<Dot*, int>> crosses;
   for (Curve& curve : chart.curves)
     for (Dot& dot : curve.dots)
-      if (dot.mark == Mark::unstable) crosses.emplace_back(&dot, at_x[dot.x]++);
+      if (dot.mark == Mark::unstable && chart.x.holds(dot.x)) crosses.emplace_back(&dot, at_x[dot.x]++);
   if (crosses.empty()) return;
   const int rows = std::ranges::max(at_x | std::views::values);
   const double height = std::max(row * (rows + 1), least_height(chart.y, chart.letter));

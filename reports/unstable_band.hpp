@@ -4,8 +4,8 @@
 namespace mpmvv::reports {
 
 /// Puts the crosses of unstable runs above all values: where there are any, the y axis gets a band at its upper end,
-/// named `unstable`, in which the crosses at one x stand below one another in rows of this height or more, a fraction
-/// of the axis without the band.
+/// named `unstable`, in which the crosses at one x of the chart stand below one another in rows of this height or more,
+/// a fraction of the axis without the band.
 void add_unstable_band(Chart& chart, double row);
 
 /// The same axis, of the values alone, made longer by a band that is this fraction of the whole. Texts of tics that

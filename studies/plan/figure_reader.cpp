@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "studies/plan/file_tables.hpp"
@@ -33,11 +34,15 @@ bool is_logarithmic(const TomlTable& table, const char* key) {
   return scale == "log";
 }
 
-void read_range(const TomlTable& table, const char* key, std::optional<double>& low, std::optional<double>& high) {
+void read_range(const TomlTable& table, const char* key, bool log, std::optional<double>& low,
+                std::optional<double>& high) {
   if (!table.has(key)) return;
   const auto ends = table.numbers(key);
   if (ends.size() != 2 || !(ends[0] < ends[1]))
     throw UsageError(fmt::format("{} in {} (two numbers, the smaller first)", key, table.where(key)));
+  if (log && !(ends[0] > 0))
+    throw UsageError(fmt::format("{} in {} begins at {:g} on a logarithmic axis (above 0, or a linear {}scale)", key,
+                                 table.where(key), ends[0], key[0]));
   low = ends[0], high = ends[1];
 }
 
@@ -48,6 +53,10 @@ void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTab
     if (figure.kind != Figure::Kind::curves && table.has(key))
       throw UsageError(fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key),
                                    to_string(figure.kind)));
+  if (!figure.slopes.empty() && !(figure.log_x && figure.log_y))
+    throw UsageError(fmt::format("'slopes' in {} on a linear axis (xscale and yscale \"log\")", table.where("slopes")));
+  if (std::ranges::find(figure.slopes, 0.0) != figure.slopes.end())
+    throw UsageError(fmt::format("slope 0 in {} (a power other than 0)", table.where("slopes")));
 }
 
 }  // namespace
@@ -69,8 +78,9 @@ Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
           : measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
   figure.marks = series_names(table, "marks", plan);
   if (table.has("slopes")) figure.slopes = table.numbers("slopes");
-  read_range(table, "x_range", figure.x_min, figure.x_max);
-  read_range(table, "y_range", figure.y_min, figure.y_max);
+  const bool is_lattice = figure.kind == Figure::Kind::particles;  // whose axes are lengths
+  read_range(table, "x_range", figure.log_x && !is_lattice, figure.x_min, figure.x_max);
+  read_range(table, "y_range", figure.log_y && !is_lattice, figure.y_min, figure.y_max);
   require_drawable(plan, figure, table);
   return figure;
 }

@@ -92,6 +92,9 @@ std::vector<std::string> series_names(const support::TomlTable& table, const cha
   for (const SeriesPlan& series : plan.series) known.push_back(series.name);
   if (plan.check.empty())
     for (const std::string& name : names) require_word("series", name, known, table.where(key));
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::find(names.begin(), name, *name) != name)
+      throw UsageError(fmt::format("series '{}' twice in {} (once)", *name, table.where(key)));
   return names;
 }
 

@@ -104,6 +104,8 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
   if (const auto table = root.table("fixed")) fixed = settings_of(*table);
   for (const TomlTable& table : root.tables("series")) {
     SeriesPlan series{table.text("name"), fixed, table.where()};
+    if (series.name.find_first_not_of(" \t") == std::string::npos)
+      throw UsageError(fmt::format("'name' is blank in {} (a text)", table.where("name")));
     if (plan.has_series(series.name))
       throw UsageError(fmt::format("series '{}' twice in {} (names must differ)", series.name, table.where("name")));
     for (const Setting& setting : settings_of(table, {"name"})) series.settings.push_back(setting);

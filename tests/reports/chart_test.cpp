@@ -200,6 +200,8 @@ TEST(ErrorChart, ReferenceSlopeOverParticlesPerCellIsNamedAfterThem) {
   study.sweep = "ppc";
   study.figures[0].slopes = {2};
   EXPECT_EQ(error_chart(study, study.figures[0]).labels[0].text, "ppc^-2") << "h stays as it is";
+  study.figures[0].slopes = {-1};
+  EXPECT_EQ(error_chart(study, study.figures[0]).labels[0].text, "ppc");
 }
 
 TEST(ErrorChart, ReferenceSlopeKeepsClearOfThePoints) {

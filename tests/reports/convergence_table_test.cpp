@@ -74,6 +74,33 @@ TEST(ConvergenceTable, TheCaptionNamesTheProblemOfAllSeriesAlone) {
               AllOf(Not(HasSubstr("(problem")), HasSubstr("problem = square in 1 of 2 series")));
 }
 
+TEST(ConvergenceTable, ShowsSeriesThatAreUnstableEverywhere) {
+  records::StudyResult study = two_series();
+  for (records::Point& point : study.series[1].points) point.status = records::Status::unstable, point.y.clear();
+  study.series[1].orders.clear();
+  EXPECT_THAT(latex_convergence_tables(study), AllOf(HasSubstr("gimp"), HasSubstr("$8$ & $4.69 \\times 10^{-3}$ & -- & "
+                                                                                  "unstable & -- \\\\\n")));
+}
+
+/// Eighteen series, five of which have fits of fewer points, which the caption tells.
+records::StudyResult long_names() {
+  records::StudyResult study = two_series();
+  study.series.assign(18, study.series[0]);
+  for (std::size_t k = 0; k < study.series.size(); ++k) {
+    study.series[k].name =
+        "linear with integrator usl and FLIP update on periodic grid (case number " + std::to_string(k) + ")";
+    if (k % 4 == 0) study.series[k].orders[0].points = 3;
+  }
+  return study;
+}
+
+TEST(ConvergenceTable, NamesOfSeveralLinesLeaveRoomForFewerRowsOfSeries) {
+  records::StudyResult study = long_names();
+  EXPECT_EQ(count(latex_convergence_tables(study), "\\begin{table}"), 3);
+  for (records::Series& series : study.series) series.name = "short";
+  EXPECT_EQ(count(latex_convergence_tables(study), "\\begin{table}"), 2);
+}
+
 /// Levels that differ from series to series, so that together they are more than a page has room for.
 records::StudyResult many_levels() {
   records::StudyResult study = two_series();
@@ -160,6 +187,7 @@ TEST(ConvergenceTableNightly, FitsInto125Millimetres) {
   const records::StudyResult study = all_norms();
   std::ofstream(folder / "table.tex") << latex_convergence_tables(study) << latex_convergence_tables(two_series())
                                       << latex_convergence_tables(many_levels())
+                                      << latex_convergence_tables(long_names())
                                       << latex_long_table(orders_table({&study}))
                                       << latex_long_table(extrapolated_table({&study}));
   std::ofstream(folder / "main.tex") << "\\documentclass{article}\\usepackage[textwidth=125mm]{geometry}\n"

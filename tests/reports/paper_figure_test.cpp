@@ -164,6 +164,50 @@ TEST(PaperFigure, TicsWithoutRoomLoseTheirTexts) {
   EXPECT_EQ(with_room(axis, 500, 8).tics[1].text, "1001");
 }
 
+TEST(PaperFigure, UprightTheUpperOfTwoTicsKeepsItsText) {
+  Axis axis;
+  axis.from = 0, axis.to = 10;
+  axis.tics = {{0, "a"}, {5, "b"}, {6, ""}, {5.5, "unstable"}};
+  const Axis tight = with_room_upright(axis, 100, 8);
+  EXPECT_EQ(tight.tics[0].text, "a");
+  EXPECT_EQ(tight.tics[1].text, "") << "5 points below the next";
+  EXPECT_EQ(tight.tics[3].text, "unstable");
+  EXPECT_EQ(with_room_upright(axis, 200, 8).tics[1].text, "b");
+}
+
+TEST(PaperFigure, ALabelLongerThanThePageTakesLinesAndRoomBelowTheAxes) {
+  records::StudyResult study = distinct::laws();
+  study.figures[0].xlabel = "Courant number, wave speed times time step over the width of a cell of the mesh (-)";
+  const std::string svg = drawn(study, sheet(Format::svg));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr(">over the width of a cell of the mesh (-)<"), Not(HasSubstr(study.figures[0].xlabel))));
+  const Layout one = paper_layout(chart_of(distinct::laws()), 238, 8), more = paper_layout(chart_of(study), 238, 8);
+  EXPECT_GT(more.x_label.size(), 1U);
+  EXPECT_GT(more.axes_bottom(), one.axes_bottom());
+  EXPECT_GT(more.x_label_at(0), more.x_label_at(1));
+}
+
+TEST(PaperFigure, TitlesOfPanelsAreBroken) {
+  Chart chart = chart_of(distinct::particles());
+  ASSERT_GT(chart.labels.size(), 1U);
+  const Layout narrow = paper_layout(chart, 300, 8);
+  chart.labels[0].text = "a body that is at rest and keeps still";
+  const Layout broken = paper_layout(chart, 300, 8);
+  EXPECT_GT(broken.titles[0].size(), 1U);
+  EXPECT_GT(broken.top, narrow.top);
+  EXPECT_TRUE(broken.has_room());
+  chart.labels[0].text = std::string(80, 'm');
+  EXPECT_FALSE(paper_layout(chart, 300, 8).has_room());
+}
+
+TEST(PaperFigure, LettersAreMeasuredByTheSheet) {
+  EXPECT_DOUBLE_EQ(letter_on(Sheet{}), paper_letter);
+  EXPECT_DOUBLE_EQ(letter_on(sheet(Format::pdf, 168)), paper_letter / 2);
+  Sheet large;
+  large.font_size = 12;
+  EXPECT_DOUBLE_EQ(letter_on(large), 1.5 * paper_letter);
+}
+
 TEST(PaperFigure, PanelsOfParticlesAreToScale) {
   const Drawing drawing = read_back::read_drawing(drawn(distinct::particles(), sheet(Format::svg, 174)));
   ASSERT_EQ(drawing.boxes.size(), 4u);

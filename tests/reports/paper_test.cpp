@@ -260,6 +260,17 @@ std::string said_about(const std::string& complaint, const std::string& log) {
   return place == std::string::npos ? "" : log.substr(place, 300);
 }
 
+/// What latexmk says of the document; skips the test without it.
+void expect_compiles(const TempFolder& folder) {
+  const auto end = support::run_process({"latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "main.tex"},
+                                        folder.path(), {}, std::chrono::seconds(300));
+  if (end.start_error != 0) GTEST_SKIP() << "no latexmk";
+  EXPECT_TRUE(end.good()) << end.output;
+  EXPECT_THAT(content(folder / "main.pdf"), testing::StartsWith("%PDF"));
+  for (const char* complaint : {"Missing character", "undefined on input line", "Overfull", "too large for page"})
+    EXPECT_EQ(said_about(complaint, content(folder / "main.log")), "");
+}
+
 TEST(PaperNightly, CompilesByOneCommand) {
   const TempFolder folder;
   auto studies = awkward_names();
@@ -267,13 +278,20 @@ TEST(PaperNightly, CompilesByOneCommand) {
                             distinct::limits(), distinct::costs(), distinct::particles(), of_s()})
     studies.push_back(study);
   write(studies, folder.path());
-  const auto end = support::run_process({"latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "main.tex"},
-                                        folder.path(), {}, std::chrono::seconds(300));
-  if (end.start_error != 0) GTEST_SKIP() << "no latexmk";
-  EXPECT_TRUE(end.good()) << end.output;
-  EXPECT_THAT(content(folder / "main.pdf"), testing::StartsWith("%PDF"));
-  for (const char* complaint : {"Missing character", "undefined on input line", "Overfull \\hbox"})
-    EXPECT_EQ(said_about(complaint, content(folder / "main.log")), "");
+  expect_compiles(folder);
+}
+
+/// A table that runs over pages was set beyond the edge of one where figures before it still waited for a place.
+TEST(PaperNightly, TablesBehindManyFiguresStayOnTheirPages) {
+  const TempFolder folder;
+  records::StudyResult study = synthetic::convergence();
+  for (int k = 0; k < 4; ++k) {
+    study.figures.push_back(study.figures[0]);
+    study.figures.back().name += std::to_string(k);
+  }
+  write({study}, folder.path());
+  EXPECT_THAT(content(folder / "main.tex"), testing::ContainsRegex("nofloats\n.input.tables/orders"));
+  expect_compiles(folder);
 }
 
 }  // namespace mpmvv::reports::paper_test

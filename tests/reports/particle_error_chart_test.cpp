@@ -44,6 +44,18 @@ StudyResult runs_study() {
   return study;
 }
 
+TEST(ParticleErrorChart, SaysWhichSeriesHaveNoErrorAtAll) {
+  StudyResult study = runs_study();
+  for (ParticleError& one : study.series[0].points[1].particle_errors) one.error = 0;
+  const Chart chart = charts_of(study).at(0);
+  EXPECT_THAT(chart.omissions, Contains("The errors are exactly 0, drawn like the smallest: theirs."));
+  EXPECT_GT(chart.shades->tics.size(), 1U);
+  study.series.pop_back();
+  const Chart all_zero = charts_of(study).at(0);
+  EXPECT_EQ(all_zero.shades->label, "displacement error (m), all 0");
+  for (const Tic& tic : all_zero.shades->tics) EXPECT_EQ(tic.text, "");
+}
+
 TEST(ParticleErrorChart, HasAPanelOfSquaresForTheLastSoundRunOfEachSeries) {
   const Chart chart = charts_of(runs_study()).at(0);
   ASSERT_EQ(chart.curves.size(), 2U);

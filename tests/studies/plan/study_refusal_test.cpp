@@ -43,6 +43,7 @@ TEST(MistakeInAStudy, OfASweepOrALimitIsNamed) {
        {"[8, 16, 32, 64]\n[[fit", "[8, 16, 32, 64, -16]\n[[fit", "cells = -16"},
        {"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
        {"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
+       {"name = \"bspline2\"", "name = \" \"", "'name' is blank in "},
        {"cells = [8, 16, 32, 64]", "steps = [4, 8, 16, 8.0]", "a value twice"},
        {"basis = \"linear\"", "basis = \"linear\"\ncells = 8", "beside the sweep over it in "},
        {"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n", "scan_ratio"},
@@ -58,6 +59,19 @@ TEST(MistakeInAStudy, OfASweepOrALimitIsNamed) {
         "basis = \"linear\"\ncells = 8\n[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nseries = [\"linear\"]\n"
         "[[series]]\nname = \"bspline2\"\ncells = 8\n",
         "beside the sweep over it in "}});
+}
+
+TEST(MistakeInAStudy, OfAnAxisOrASlopeIsNamed) {
+  const std::string figure = "[[figure]]\nname = \"new\"\ncaption = \"c\"\nxlabel = \"x\"\nylabel = \"y\"\n";
+  const auto expect = [&](const std::string& keys, const std::string& message) {
+    EXPECT_THAT(complaint([&] { parse_study(cli::small_study + ("\n" + figure + keys), "bad.toml"); }),
+                AllOf(HasSubstr("bad.toml:"), HasSubstr(message), Not(HasSubstr("\n"))));
+  };
+  expect("y_range = [0, 1]", "begins at 0 on a logarithmic axis (above 0, or a linear yscale)");
+  expect("x_range = [-5, 128]", "begins at -5 on a logarithmic axis (above 0, or a linear xscale)");
+  expect("slopes = [0]", "slope 0 in ");
+  expect("slopes = [1]\nyscale = \"linear\"", "'slopes' in ");
+  expect("series = [\"linear\", \"linear\"]", "series 'linear' twice in ");
 }
 
 TEST(MistakeInAStudy, OfReplicatesIsNamed) {
