@@ -63,7 +63,8 @@ class EarlierVersion : public testing::Test {
 TEST_F(EarlierVersion, IsHeldAgainstThisOneWhereBothHaveAStudy) {
   const Answer compared = call(folder_, "compare 00ff --all --db " + db_);
   EXPECT_THAT(compared.out, HasSubstr("value 'gap': 1 -> 1"));
-  EXPECT_THAT(compared.out, Not(HasSubstr("claim T-a"))) << "it was partly, by both studies";
+  EXPECT_THAT(compared.out, HasSubstr("only in the first: claim T-a by first, second\n")) << "it was partly, by both";
+  EXPECT_THAT(compared.out, HasSubstr("only in the second: claim T-a by second\n"));
   EXPECT_THAT(compared.out, HasSubstr("only in the first: study first\n"));
   const std::string page = front_page();
   EXPECT_THAT(page, HasSubstr("c0ffee012345"));
