@@ -14,10 +14,12 @@
 #include "cli/console.hpp"
 #include "cli/engines.hpp"
 #include "cli/help.hpp"
+#include "cli/interruption.hpp"
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/shipped.hpp"
 #include "cli/study_choice.hpp"
+#include "cli/submit_text.hpp"
 #include "studies/plan/shards.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -126,14 +128,20 @@ void freeze_costs(Submission& submission, const std::string& costs) {
   store::Store::merge(submission.costs, costs);
 }
 
-void start(const Submission& submission) {
-  const auto end =
-      support::run_process({submission.folder / "submit.sh"}, submission.place, {}, std::chrono::minutes(5));
-  if (!end.good())
-    throw support::UsageError(fmt::format("'{}' ended with {}: {} (--dry-run only writes it)",
-                                          (submission.folder / "submit.sh").string(), end.exit_code,
-                                          end.output.substr(0, end.output.find('\n'))));
-  print_text(end.output);
+/// Has the jobs queued and returns the program's exit code.
+int start(const Submission& submission, const Engine& engine) {
+  constexpr std::chrono::minutes limit{5};
+  const fs::path script = submission.folder / "submit.sh";
+  const Interruption interruption;
+  const auto end = support::run_process({script}, submission.place, {}, limit, {}, interruption.token());
+  if (end.good()) {
+    print_text(end.output);
+    return 0;
+  }
+  const std::string fault = submit_fault(script, end, limit, engine.queued);
+  if (!end.stopped) throw support::UsageError(fault);
+  note("stopped: {}\n", fault);
+  return interrupted;
 }
 
 int submit(const SubmitOptions& options) {
@@ -159,10 +167,8 @@ int submit(const SubmitOptions& options) {
     support::write_if_changed(file, script.text);
     fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
   }
-  if (options.dry_run)
-    print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
-  else
-    start(submission);
+  if (!options.dry_run) return start(submission, *engine);
+  print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
   return 0;
 }
 

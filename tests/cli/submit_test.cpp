@@ -91,7 +91,7 @@ TEST_F(Submit, HandsAnArrayAndADependentJobToSlurm) {
   in_folder_ += "export PATH='" + (folder_ / "bin") + "':\"$PATH\" && ";
   const Answer answer = submit("--shards 4");
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("shards 1-4: job 17; merge, gate and report: job 17"));
+  EXPECT_THAT(answer.out, HasSubstr("shards 1-4: job 17\nmerge, gate and report: job 17, "));
   EXPECT_EQ(carry_out_script("submit.sh 2,4").code, 0);
   const std::string shards = folder_ / "r.shards";
   EXPECT_EQ(read_text(folder_ / "calls"), "--parsable --array=1-4 " + shards + "/shard.sh\n" +
