@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -45,11 +46,35 @@ struct SubmitOptions {
 constexpr double time_factor = 3, memory_factor = 1.5;
 constexpr double least_minutes = 10, least_megabytes = 512;
 
-/// Throws unless the folder's name is plain: it stands in lines that a cluster's programs read.
+bool has_controls(const std::string& text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return std::iscntrl(c) != 0; });
+}
+
+/// Throws unless the folder's name is plain: it stands in lines that a cluster's programs read, and in a command that
+/// the last job prints.
 void require_plain(const fs::path& folder) {
-  if (folder.string().find_first_of("\"\\%\n") != std::string::npos)
-    throw support::UsageError(fmt::format(
-        "--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", folder.string()));
+  const std::string name = folder.string();
+  if (has_controls(name) || name.find_first_of("'\"\\%") != std::string::npos)
+    throw support::UsageError(
+        fmt::format("--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", name));
+}
+
+/// A name that stands in a line of a script which a cluster's programs read.
+CLI::Validator plain_name() {
+  const auto objection = [](const std::string& text) {
+    const bool is_plain = !has_controls(text) && text.find_first_of(" '\"\\#") == std::string::npos;
+    return is_plain ? "" : fmt::format("'{}' (a name without blanks, line breaks, quotes, backslashes and #)", text);
+  };
+  return {objection, ""};
+}
+
+/// The same of an option with its value.
+CLI::Validator option_in_a_line() {
+  const auto objection = [](const std::string& text) {
+    const bool is_plain = !has_controls(text) && text.starts_with('-');
+    return is_plain ? "" : fmt::format("'{}' (an option such as --qos=long, in one line)", text);
+  };
+  return {objection, ""};
 }
 
 /// Throws where the store of all results is the folder of a submission, or one of the stores that it writes there.
@@ -180,12 +205,13 @@ void add_demands(CLI::App& command, SubmitOptions& options) {
       .add_option("--costs", options.costs,
                   "store whose times say how long cases take (default: guessed); copied into the folder")
       ->type_name("FILE");
-  command.add_option("--partition", options.partition, "of the cluster")->type_name("NAME");
-  command.add_option("--account", options.account, "whom it is charged to")->type_name("NAME");
+  command.add_option("--partition", options.partition, "of the cluster")->check(plain_name())->type_name("NAME");
+  command.add_option("--account", options.account, "whom it is charged to")->check(plain_name())->type_name("NAME");
   command
       .add_option("--option", options.options,
                   "option of every job, as the engine takes it: --option=--qos=long (repeatable)")
       ->allow_extra_args(false)
+      ->check(option_in_a_line())
       ->type_name("OPTION");
 }
 

@@ -167,6 +167,25 @@ TEST_F(Submit, LeavesThePlaceOfTheStoreFree) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
 }
 
+/// A line break would make a line of its own, which the jobs carry out.
+TEST_F(Submit, RefusesWhatDoesNotStayInItsLineOfAScript) {
+  for (const char* name : {"'a\ntouch evil'", "'a\rb'", "'a b'", "'a#b'", "\"a'b\""})
+    for (const std::string option : {"--partition", "--account"}) {
+      const Answer answer = submit("--shards 2 --dry-run " + option + " " + name);
+      EXPECT_EQ(answer.code, 2) << option << name;
+      EXPECT_THAT(answer.err, AllOf(HasSubstr(option + ": 'a"), HasSubstr("(a name without blanks, line breaks,")));
+    }
+  for (const char* option : {"foo", "'--qos=a\ntouch evil'"}) {
+    const Answer answer = submit(std::string("--shards 2 --dry-run --option=") + option);
+    EXPECT_EQ(answer.code, 2) << option;
+    EXPECT_THAT(answer.err, HasSubstr("(an option such as --qos=long, in one line)"));
+  }
+  for (const char* folder : {"\"it's/cl\"", "'a\nb'", "'a\"b'"})
+    EXPECT_THAT(submit(std::string("--shards 2 --dry-run --folder ") + folder).err, HasSubstr("a name without quotes"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "r.shards"));
+  EXPECT_EQ(submit("--shards 2 --dry-run --partition a,b --option='--comment=\"two words\"'").code, 0);
+}
+
 TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_THAT(submit("--shards 0 --dry-run").err, HasSubstr("--shards"));
   EXPECT_THAT(submit("--shards 2 --folder 'a%b' --dry-run").err, HasSubstr("per cent signs"));
