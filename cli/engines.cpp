@@ -5,7 +5,8 @@
 namespace mpmvv::cli {
 
 std::span<const Engine> engines() {
-  static constexpr std::array all{Engine{"slurm", "sbatch", slurm_scripts}};
+  static constexpr std::array all{
+      Engine{"slurm", "sbatch", "squeue --me lists what is queued, scancel JOB takes it back", slurm_scripts}};
   return all;
 }
 

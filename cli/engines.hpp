@@ -27,6 +27,7 @@ struct Script {
 struct Engine {
   const char* name;
   const char* command;                                ///< the program that submit.sh calls
+  const char* queued;                                 ///< how what is queued is found and taken back
   std::vector<Script> (*scripts)(const Submission&);  ///< submit.sh starts them: all shards, or "2,5-7"
 };
 

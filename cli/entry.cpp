@@ -12,6 +12,7 @@
 
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/interruption.hpp"
 #include "studies/support/reason.hpp"
 #include "studies/support/suggestion.hpp"
 
@@ -140,6 +141,7 @@ int enter(int argc, char** argv, const std::string& name, const std::string& des
   survive_failed_writes();
   heed_children();
   try {
+    const Interrupts interrupts(name);
     CLI::App app{description, name};
     app.formatter(std::make_shared<HelpFormatter>());
     int exit_code = 0;

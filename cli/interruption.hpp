@@ -1,14 +1,32 @@
 #pragma once
 #include <csignal>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace mpmvv::cli {
 
+constexpr int interrupted =
+    130;  ///< the exit code that shells give to a program that was interrupted from the keyboard
+
 /// While it lives, an interrupt from the keyboard (SIGINT), a request to end (SIGTERM) or the end of the terminal
-/// (SIGHUP) asks to stop instead of ending the program at once; those that the program was started to ignore stay
-/// ignored. SIGUSR1, which schedulers of clusters send as well, changes nothing. Threads must be started after it: they
-/// inherit that the signals are blocked.
+/// (SIGHUP) ends the program with a line that says so, and kills what it has started; those that the program was
+/// started to ignore stay ignored. SIGUSR1, which schedulers of clusters send as well, changes nothing. A program has
+/// one, made before its threads: they inherit that the signals are blocked.
+class Interrupts {
+ public:
+  explicit Interrupts(std::string program);
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+ private:
+  std::string program_;
+  sigset_t awaited_{}, before_{};
+  std::jthread waiting_;
+};
+
+/// While it lives, an interrupt asks to stop instead of ending the program at once.
 class Interruption {
  public:
   Interruption();
@@ -19,9 +37,7 @@ class Interruption {
   std::stop_token token() const { return source_.get_token(); }
 
  private:
-  sigset_t awaited_{}, before_{};
   std::stop_source source_;
-  std::jthread waiting_;
 };
 
 }  // namespace mpmvv::cli

@@ -94,7 +94,7 @@ bad input: one line on standard error says what is wrong, where, and what would 
 had nothing to compare or too much noise
 .TP
 130
-\fBrun\fR or \fBstudy\fR was interrupted; what had finished is kept
+the command was interrupted, and has ended what it had started; what \fBrun\fR and \fBstudy\fR had finished is kept
 .SH FILES
 Below the prefix that the program was installed to:
 .TP

@@ -48,9 +48,7 @@ void require_options_of_code(const RunOptions& options, const cases::Case& c) {
     throw UsageError(fmt::format("--vtu for code '{}' (what it writes itself is kept with --keep FOLDER)", code));
 }
 
-/// Ends the program with the exit code that shells give to one that was interrupted from the keyboard.
 [[noreturn]] void stop(const std::string& what, const std::string& folder) {
-  constexpr int interrupted = 130;
   note("stopped: {} was ended before it had finished{}\n", what,
        folder.empty() ? "" : fmt::format("; what it had written is in {}", folder));
   std::_Exit(interrupted);

@@ -50,10 +50,24 @@ exit "$status"
 
 constexpr const char* submit_body = R"sh(
 set -euo pipefail
+# Prints the number of the job that is queued.
+queue() {
+  local answer
+  answer=$(sbatch --parsable "$@") || return
+  if [[ ! $answer =~ ^([0-9]+)(\;[^[:space:]]*)?$ ]]; then
+    echo "error: sbatch --parsable answers '$answer' (a job's number; squeue --me lists what is queued)" >&2
+    return 1
+  fi
+  echo "${BASH_REMATCH[1]}"
+}
 (($#)) || rm -f "$folder"/shard-*.done
-array=$(sbatch --parsable --array="${1:-1-$shards}" "$folder/shard.sh")
-merge=$(sbatch --parsable --dependency="afterany:${array%%;*}" "$folder/merge.sh")
-echo "shards ${1:-1-$shards}: job ${array%%;*}; merge, gate and report: job ${merge%%;*}, $folder/merge.log"
+array=$(queue --array="${1:-1-$shards}" "$folder/shard.sh")
+echo "shards ${1:-1-$shards}: job $array"
+merge=$(queue --dependency="afterany:$array" "$folder/merge.sh") || {
+  echo "error: job $array is queued without its merge (before the next try: scancel $array)" >&2
+  exit 1
+}
+echo "merge, gate and report: job $merge, $folder/merge.log"
 )sh";
 
 std::string list(const std::string& option, const std::vector<std::string>& values) {

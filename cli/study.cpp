@@ -37,9 +37,7 @@ struct StudyOptions {
   bool plan = false, json = false, verbose = false, no_retry = false;
 };
 
-/// Ends the program with the exit code that shells give to one that was interrupted from the keyboard.
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
-  constexpr int interrupted = 130;
   const auto no_more_runs = codes::abandon_external_runs();
   const auto unkept = counts.unkept == 0
                           ? std::string()

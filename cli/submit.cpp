@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -14,10 +15,12 @@
 #include "cli/console.hpp"
 #include "cli/engines.hpp"
 #include "cli/help.hpp"
+#include "cli/interruption.hpp"
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/shipped.hpp"
 #include "cli/study_choice.hpp"
+#include "cli/submit_text.hpp"
 #include "studies/plan/shards.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -43,11 +46,35 @@ struct SubmitOptions {
 constexpr double time_factor = 3, memory_factor = 1.5;
 constexpr double least_minutes = 10, least_megabytes = 512;
 
-/// Throws unless the folder's name is plain: it stands in lines that a cluster's programs read.
+bool has_controls(const std::string& text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return std::iscntrl(c) != 0; });
+}
+
+/// Throws unless the folder's name is plain: it stands in lines that a cluster's programs read, and in a command that
+/// the last job prints.
 void require_plain(const fs::path& folder) {
-  if (folder.string().find_first_of("\"\\%\n") != std::string::npos)
-    throw support::UsageError(fmt::format(
-        "--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", folder.string()));
+  const std::string name = folder.string();
+  if (has_controls(name) || name.find_first_of("'\"\\%") != std::string::npos)
+    throw support::UsageError(
+        fmt::format("--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", name));
+}
+
+/// A name that stands in a line of a script which a cluster's programs read.
+CLI::Validator plain_name() {
+  const auto objection = [](const std::string& text) {
+    const bool is_plain = !has_controls(text) && text.find_first_of(" '\"\\#") == std::string::npos;
+    return is_plain ? "" : fmt::format("'{}' (a name without blanks, line breaks, quotes, backslashes and #)", text);
+  };
+  return {objection, ""};
+}
+
+/// The same of an option with its value.
+CLI::Validator option_in_a_line() {
+  const auto objection = [](const std::string& text) {
+    const bool is_plain = !has_controls(text) && text.starts_with('-');
+    return is_plain ? "" : fmt::format("'{}' (an option such as --qos=long, in one line)", text);
+  };
+  return {objection, ""};
 }
 
 /// Throws where the store of all results is the folder of a submission, or one of the stores that it writes there.
@@ -126,14 +153,20 @@ void freeze_costs(Submission& submission, const std::string& costs) {
   store::Store::merge(submission.costs, costs);
 }
 
-void start(const Submission& submission) {
-  const auto end =
-      support::run_process({submission.folder / "submit.sh"}, submission.place, {}, std::chrono::minutes(5));
-  if (!end.good())
-    throw support::UsageError(fmt::format("'{}' ended with {}: {} (--dry-run only writes it)",
-                                          (submission.folder / "submit.sh").string(), end.exit_code,
-                                          end.output.substr(0, end.output.find('\n'))));
-  print_text(end.output);
+/// Has the jobs queued and returns the program's exit code.
+int start(const Submission& submission, const Engine& engine) {
+  constexpr std::chrono::minutes limit{5};
+  const fs::path script = submission.folder / "submit.sh";
+  const Interruption interruption;
+  const auto end = support::run_process({script}, submission.place, {}, limit, {}, interruption.token());
+  if (end.good()) {
+    print_text(end.output);
+    return 0;
+  }
+  const std::string fault = submit_fault(script, end, limit, engine.queued);
+  if (!end.stopped) throw support::UsageError(fault);
+  note("stopped: {}\n", fault);
+  return interrupted;
 }
 
 int submit(const SubmitOptions& options) {
@@ -159,10 +192,8 @@ int submit(const SubmitOptions& options) {
     support::write_if_changed(file, script.text);
     fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
   }
-  if (options.dry_run)
-    print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
-  else
-    start(submission);
+  if (!options.dry_run) return start(submission, *engine);
+  print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
   return 0;
 }
 
@@ -174,12 +205,13 @@ void add_demands(CLI::App& command, SubmitOptions& options) {
       .add_option("--costs", options.costs,
                   "store whose times say how long cases take (default: guessed); copied into the folder")
       ->type_name("FILE");
-  command.add_option("--partition", options.partition, "of the cluster")->type_name("NAME");
-  command.add_option("--account", options.account, "whom it is charged to")->type_name("NAME");
+  command.add_option("--partition", options.partition, "of the cluster")->check(plain_name())->type_name("NAME");
+  command.add_option("--account", options.account, "whom it is charged to")->check(plain_name())->type_name("NAME");
   command
       .add_option("--option", options.options,
                   "option of every job, as the engine takes it: --option=--qos=long (repeatable)")
       ->allow_extra_args(false)
+      ->check(option_in_a_line())
       ->type_name("OPTION");
 }
 

@@ -107,19 +107,25 @@ Reached read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_poin
 /// The process groups that are running, for kill_processes.
 class Running {
  public:
-  void add(pid_t group) {
+  /// Starts a group, with nobody killing all in between; returns 0 or an errno.
+  template <class Start>
+  int add(pid_t& group, const Start& start) {
     const std::lock_guard lock(mutex_);
+    const int failed = start();
+    if (failed != 0) return failed;
     groups_.insert(group);
     if (is_over_) kill(-group, SIGKILL);
+    return 0;
   }
   void remove(pid_t group) {
     const std::lock_guard lock(mutex_);
     groups_.erase(group);
   }
-  void kill_all() {
-    const std::lock_guard lock(mutex_);
+  std::unique_lock<std::mutex> kill_all() {
+    std::unique_lock lock(mutex_);
     is_over_ = true;
     for (const pid_t group : groups_) kill(-group, SIGKILL);
+    return lock;
   }
 
  private:
@@ -135,8 +141,8 @@ Running& running() {
 
 }  // namespace
 
-void kill_processes() {
-  running().kill_all();
+std::unique_lock<std::mutex> kill_processes() {
+  return running().kill_all();
 }
 
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
@@ -150,19 +156,19 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
     return end;
   }
   pid_t child = 0;
-  end.start_error = spawn(child, command, folder, environment_with(environment, kept), ends[1]);
+  end.start_error =
+      running().add(child, [&] { return spawn(child, command, folder, environment_with(environment, kept), ends[1]); });
   close(ends[1]);
   if (end.start_error == 0) {
-    running().add(child);
     KeptOutput output(kept_half);
     const Reached reached = read_until_end(child, ends[0], output, deadline, stop);
     end.timed_out = reached == Reached::deadline;
     end.stopped = reached == Reached::stop;
     end.output = output.text();
     kill(-child, SIGKILL);  // the whole group: also what the child has left behind
+    running().remove(child);
     int status = 0;
     waitpid(child, &status, 0);
-    running().remove(child);
     end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     end.exit_code = end.signal == 0 ? WEXITSTATUS(status) : 128 + end.signal;
   }

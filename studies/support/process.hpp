@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -32,7 +33,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
                        const std::stop_token& stop = {});
 
 /// Kills all that `run_process` has started on any thread, and at once whatever it starts later: for a caller that is
-/// about to end.
-void kill_processes();
+/// about to end. No call of `run_process` returns as long as the lock is held.
+std::unique_lock<std::mutex> kill_processes();
 
 }  // namespace mpmvv::support

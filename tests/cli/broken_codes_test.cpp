@@ -215,6 +215,20 @@ TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {
   EXPECT_THAT(read_text(mover_.top() / "messages"), HasSubstr("the same command goes on from there"));
 }
 
+/// Before a study begins, too.
+TEST_F(StudyOfABrokenCode, ThatIsAskedForItsVersionEndsWithTheProgram) {
+  const fs::path number = mover_.top() / "number";
+  mover_.adapter(
+      std::regex_replace(Mover::text, std::regex("command = .*\n"), "$&version = [\"{{program}}\", \"--version\"]\n"));
+  mover_.script(Mover::start("", number) + "sleep 60\n");
+  for (const std::vector<const char*>& command : {std::vector{"list", "codes"}, {"study", "s.toml", "--db", "r.db"}}) {
+    fs::remove(number);
+    interrupt(start(command), number);
+    EXPECT_FALSE(Mover::goes_on(number)) << command.front();
+    EXPECT_EQ(read_text(mover_.top() / "messages"), "stopped: mpmvv was ended before it had finished\n");
+  }
+}
+
 TEST_F(StudyOfABrokenCode, ARunThatIsStoppedSaysSoAndLeavesNoFolder) {
   mover_.script("echo > " + (mover_.top() / "begun").string() + "\nsleep 60\n");
   const pid_t child = start({"run", "--code", "mover", "--variant", "plain", "--problem", "translation", "--cells", "4",

@@ -7,6 +7,8 @@
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
+#include "tests/cli/started.hpp"
+#include "tests/studies/codes/mover.hpp"
 
 namespace mpmvv::cli::interruption_test {
 
@@ -16,23 +18,12 @@ using testing::StartsWith;
 /// The signals that are sent, one after the other.
 class Interrupted : public testing::TestWithParam<std::vector<int>> {
  protected:
-  /// Starts a study of many short cases and a few long ones, its messages in a file.
-  pid_t start() {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    signal(SIGINT, SIG_DFL);  // a shell without job control has what it starts in the background ignore it
-    signal(SIGHUP, SIG_DFL);  // as does nohup
-    freopen("/dev/null", "w", stdout);
-    freopen((folder_ / "messages").c_str(), "w", stderr);
-    execl(program().c_str(), "mpmvv", "study", file_.c_str(), "--jobs", "8", "--db", db_.c_str(), nullptr);
-    _exit(127);
-  }
-
   std::ptrdiff_t finished() {
     const Answer exported = call(folder_, "db export --db " + db_);
     return exported.code == 0 ? std::count(exported.out.begin(), exported.out.end(), '\n') - 1 : 0;
   }
 
+  /// Many short cases and a few long ones.
   static std::string long_study() {
     std::string text = small_study;
     return text.replace(text.find("[8, 16, 32, 64]"), 15, "[8, 16, 32, 64, 2048, 2560]");
@@ -43,16 +34,13 @@ class Interrupted : public testing::TestWithParam<std::vector<int>> {
 };
 
 TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
-  const pid_t child = start();
-  for (int k = 0; k < 1000 && finished() < 3; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const pid_t child = start_in(folder_, {"study", file_, "--jobs", "8", "--db", db_});
+  wait_for([&] { return finished() >= 3; });
   for (const int signal : GetParam()) {
     kill(child, signal);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(exit_code_of(child), 130);
   const std::string kept = std::to_string(finished()) + " cases finished and kept in " + db_;
   const std::string messages = read_text(folder_ / "messages");
   EXPECT_THAT(messages, StartsWith("stopped: " + kept));
@@ -64,25 +52,35 @@ TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
 /// As a study does: by the exit code of an interrupt, where the signal itself would give another one.
 TEST(Interruption, ARunSaysThatItIsNoWholeOne) {
   const Folder folder;
-  const std::string states = folder / "states", messages = folder / "messages";
-  const pid_t child = fork();
-  if (child == 0) {
-    freopen((folder / "out").c_str(), "w", stdout);
-    freopen(messages.c_str(), "w", stderr);
-    execl(program().c_str(), "mpmvv", "run", "--problem", "bar", "--cells", "4096", "--ppc", "4", "--cfl", "0.01",
-          "--vtu", states.c_str(), nullptr);
-    _exit(127);
-  }
-  const auto has_begun = [&] { return std::filesystem::exists(states) && !std::filesystem::is_empty(states); };
-  for (int k = 0; k < 3000 && !has_begun(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const std::string states = folder / "states";
+  const pid_t child =
+      start_in(folder, {"run", "--problem", "bar", "--cells", "4096", "--ppc", "4", "--cfl", "0.01", "--vtu", states});
+  wait_for([&] { return std::filesystem::exists(states) && !std::filesystem::is_empty(states); });
   kill(child, SIGTERM);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_EQ(read_text(messages),
+  EXPECT_EQ(exit_code_of(child), 130);
+  EXPECT_EQ(read_text(folder / "messages"),
             "stopped: the run of bar was ended before it had finished; what it had written is in " + states + "\n");
   EXPECT_EQ(read_text(folder / "out"), "");
+}
+
+/// The other build has a process group of its own, so that the terminal sends it no signal.
+TEST(Interruption, OfAnyCommandEndsWhatItHasStarted) {
+  const Folder folder;
+  const std::string number = folder / "number";
+  const std::string other = folder.write(
+      "other", "#!/bin/sh\n[ $1 = --version ] && echo mpmvv c0ffee && exit\necho $$ > " + number + "\nexec sleep 60\n");
+  std::filesystem::permissions(other, std::filesystem::perms::owner_all);
+  const std::string cases = folder.write("cases.txt", "--problem bar --cells 8 --ppc 1 --cfl 0.2 --steps 4\n");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    std::filesystem::remove(number);
+    const pid_t child = start_in(folder, {"cost", other, "--cases", cases});
+    wait_for([&] { return !read_text(number).empty(); });
+    kill(child, signal);
+    EXPECT_EQ(exit_code_of(child), 130);
+    EXPECT_FALSE(codes::Mover::goes_on(number)) << signal;
+    EXPECT_EQ(read_text(folder / "messages"), "stopped: mpmvv was ended before it had finished\n");
+    EXPECT_EQ(read_text(folder / "out"), "");
+  }
 }
 
 using Signals = std::vector<int>;

@@ -91,7 +91,7 @@ TEST_F(Submit, HandsAnArrayAndADependentJobToSlurm) {
   in_folder_ += "export PATH='" + (folder_ / "bin") + "':\"$PATH\" && ";
   const Answer answer = submit("--shards 4");
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("shards 1-4: job 17; merge, gate and report: job 17"));
+  EXPECT_THAT(answer.out, HasSubstr("shards 1-4: job 17\nmerge, gate and report: job 17, "));
   EXPECT_EQ(carry_out_script("submit.sh 2,4").code, 0);
   const std::string shards = folder_ / "r.shards";
   EXPECT_EQ(read_text(folder_ / "calls"), "--parsable --array=1-4 " + shards + "/shard.sh\n" +
@@ -165,6 +165,25 @@ TEST_F(Submit, LeavesThePlaceOfTheStoreFree) {
   EXPECT_EQ(call(folder_, "submit --engine slurm splines.toml --shards 2 --db all --folder all/", in_folder_).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.shards"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all"));
+}
+
+/// A line break would make a line of its own, which the jobs carry out.
+TEST_F(Submit, RefusesWhatDoesNotStayInItsLineOfAScript) {
+  for (const char* name : {"'a\ntouch evil'", "'a\rb'", "'a b'", "'a#b'", "\"a'b\""})
+    for (const std::string option : {"--partition", "--account"}) {
+      const Answer answer = submit("--shards 2 --dry-run " + option + " " + name);
+      EXPECT_EQ(answer.code, 2) << option << name;
+      EXPECT_THAT(answer.err, AllOf(HasSubstr(option + ": 'a"), HasSubstr("(a name without blanks, line breaks,")));
+    }
+  for (const char* option : {"foo", "'--qos=a\ntouch evil'"}) {
+    const Answer answer = submit(std::string("--shards 2 --dry-run --option=") + option);
+    EXPECT_EQ(answer.code, 2) << option;
+    EXPECT_THAT(answer.err, HasSubstr("(an option such as --qos=long, in one line)"));
+  }
+  for (const char* folder : {"\"it's/cl\"", "'a\nb'", "'a\"b'"})
+    EXPECT_THAT(submit(std::string("--shards 2 --dry-run --folder ") + folder).err, HasSubstr("a name without quotes"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "r.shards"));
+  EXPECT_EQ(submit("--shards 2 --dry-run --partition a,b --option='--comment=\"two words\"'").code, 0);
 }
 
 TEST_F(Submit, RefusesWhatNoClusterTakes) {
