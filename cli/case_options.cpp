@@ -7,6 +7,8 @@
 
 #include "cli/command.hpp"
 #include "cli/setting_words.hpp"
+#include "cli/shipped.hpp"
+#include "studies/plan/external_series.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
@@ -74,7 +76,9 @@ std::vector<settings::Setting> CaseOptions::settings() const {
 }
 
 cases::Case CaseOptions::the_case() const {
-  return settings::make_case(settings());
+  std::vector<settings::Setting> all = settings();
+  plan::CodeFinder(shipped("adapters")).complete(all, ".");
+  return settings::make_case(all);
 }
 
 cases::ProblemChoice CaseOptions::the_choice() const {

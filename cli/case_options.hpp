@@ -18,7 +18,8 @@ class CaseOptions {
   /// What was given.
   std::vector<settings::Setting> settings() const;
 
-  /// UsageError where what was given makes no case.
+  /// UsageError where what was given makes no case. A code that it names has an adapter and the variant; its program
+  /// need not be there.
   cases::Case the_case() const;
 
   /// The problem alone with its values, whatever else is given or not.

@@ -55,10 +55,11 @@ void print_contents(const std::string& file, const Contents& contents) {
   print("schema    {}\n", contents.schema);
   print("size      {} bytes\n", contents.bytes);
   print("studies   {}\n", contents.studies);
-  print("records   {}: {} ok, {} unstable, {} failed\n", contents.records, contents.ok, contents.unstable,
-        contents.failed);
+  print_indented(fmt::format("records   {}: {} ok, {} unstable, {} failed", contents.records, contents.ok,
+                             contents.unstable, contents.failed),
+                 0);
   for (const auto& [digest, commit, dirty, records, last] : contents.programs) {
-    print("digest {}\n", digest);
+    print_indented(fmt::format("digest {}", digest), 0);
     print_indented(fmt::format("commit {}{}, {}, last {}", commit, dirty ? " (dirty)" : "",
                                count_text(static_cast<std::size_t>(records), "record"), last));
   }

@@ -13,6 +13,8 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "cli/lines.hpp"
+#include "studies/support/printable.hpp"
 #include "studies/support/reason.hpp"
 #include "studies/support/suggestion.hpp"
 
@@ -22,9 +24,10 @@ namespace {
 
 constexpr int usage_error = 2;
 
-/// One line on standard error, whatever the message holds.
+/// One line on standard error, whatever the message holds. It is cut where it quotes more than anybody reads.
 int complain(const std::string& program, const std::string& message) {
-  note("{}: {}\n", program, support::with_suggestion(message));
+  constexpr std::size_t longest = 2000;
+  note("{}: {}\n", program, cut(support::printable(support::with_suggestion(message)), longest));
   return usage_error;
 }
 

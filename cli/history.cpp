@@ -57,15 +57,16 @@ struct CompareOptions {
 };
 
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
-  print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
-  if (&a == &b) print("both are one version: what decides a result is the same in them\n");
+  print_indented(fmt::format("from {}, {}", label(a), a.time), 0);
+  print_indented(fmt::format("to   {}, {}", label(b), b.time), 0);
+  if (&a == &b) print_indented("both are one version: what decides a result is the same in them", 0);
   Table table({{"study"}, {"change", Table::Kind::prose}}, 0);
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) table.add({change.before.study, change_text(change)});
   for (const Change& cost : comparison.costs) table.add({cost.before.study, change_text(cost)});
   table.print();
-  for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
-  for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
+  for (const std::string& what : comparison.only_before) print_indented("only in the first: " + what, 0);
+  for (const std::string& what : comparison.only_after) print_indented("only in the second: " + what, 0);
   print_indented(fmt::format("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} "
                              "shown as ratios",
                              comparison.changed(), comparison.changes.size(), goldens::relative_round_off,
@@ -162,9 +163,10 @@ std::string cell(const Trend& trend, std::size_t version) {
 
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
   std::vector<Table::Column> columns{{"study"}};
+  Table numbered({{"", Table::Kind::number}, {"", Table::Kind::prose}});
   const std::size_t first = versions.size() - shown_versions(versions.size());
   for (std::size_t v = first; v < versions.size(); ++v) {
-    print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
+    numbered.add({fmt::format("{}", v + 1), fmt::format("{}, {}", label(versions[v]), versions[v].time)});
     columns.push_back({fmt::format("version\n{}", v + 1), Table::Kind::number});
   }
   columns.push_back({"result", Table::Kind::prose});
@@ -175,10 +177,11 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
     cells.push_back(label_with_unit(trend));
     table.add(std::move(cells));
   }
+  numbered.print();
   table.print();
   if (std::ranges::any_of(trends, [](const Trend& trend) { return is_marked(trend); }))
-    print("* of runs that are not all ok: some are unstable or failed\n");
-  if (first > 0) print("versions 1 to {} find no room in this width: --json has all\n", first);
+    print_indented("* of runs that are not all ok: some are unstable or failed", 0);
+  if (first > 0) print_indented(fmt::format("versions 1 to {} find no room in this width: --json has all", first), 0);
 }
 
 int trend(const TrendOptions& options) {

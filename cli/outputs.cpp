@@ -1,6 +1,7 @@
 #include "cli/outputs.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -41,6 +42,39 @@ std::vector<fs::path> with_content(const fs::path& input) {
                                         output.string(), file.string()));
 }
 
+/// Whether it is a pipe that the caller gave this program, as /dev/stdout before a `|` and >(gzip > file) are: that one
+/// is read already.
+bool is_open(const fs::path& pipe) {
+  struct stat wanted = {}, open = {};
+  if (stat(pipe.c_str(), &wanted) != 0) return false;
+  std::error_code unknown;
+  for (const auto& each : fs::directory_iterator("/proc/self/fd", unknown))
+    if (stat(each.path().c_str(), &open) == 0 && open.st_dev == wanted.st_dev && open.st_ino == wanted.st_ino)
+      return true;
+  return false;
+}
+
+/// A named pipe would let the program wait, perhaps for ever, until somebody reads it.
+void require_writable_at_once(const std::string& option, const fs::path& file) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(file, unknown);
+  const bool is_taken = !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status) ||
+                        fs::is_character_file(status) || (fs::is_fifo(status) && is_open(file));
+  if (!is_taken)
+    throw support::UsageError(
+        fmt::format("{} {} is a pipe, a socket or a disk (a file, or /dev/stdout)", option, file.string()));
+}
+
+/// The first bytes of a file, at most so many. Nothing of what is no file: a terminal would wait for somebody to type.
+std::string beginning_of(const fs::path& file, std::size_t bytes) {
+  if (std::error_code unknown; !fs::is_regular_file(file, unknown)) return "";
+  std::string begin(bytes, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), static_cast<std::streamsize>(bytes));
+  begin.resize(static_cast<std::size_t>(stream.gcount()));
+  return begin;
+}
+
 }  // namespace
 
 void require_apart(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
@@ -60,10 +94,8 @@ void require_apart(const std::string& option, const fs::path& output, const std:
 
 void write_output(const std::string& option, const fs::path& file, const std::string& text) {
   constexpr std::size_t telling = 5;  // "<?xml", or a table's first columns
-  std::string begin(telling, '\0');
-  std::ifstream old(file, std::ios::binary);
-  old.read(begin.data(), telling);
-  begin.resize(static_cast<std::size_t>(old.gcount()));
+  require_writable_at_once(option, file);
+  const std::string begin = beginning_of(file, telling);
   if (!begin.empty() && !text.starts_with(begin))
     throw support::UsageError(fmt::format(
         "{} {} is there, and is not what this command writes (another name, or remove it)", option, file.string()));

@@ -16,7 +16,7 @@ void require_apart(const std::string& option, const std::filesystem::path& outpu
                    const std::filesystem::path& other_output);
 
 /// Writes the text into the file that `option` names. UsageError where that is a file which does not begin as the text
-/// does: it is of another kind, and the name is a slip.
+/// does: it is of another kind, and the name is a slip. So is a pipe, unless the caller has opened it for this program.
 void write_output(const std::string& option, const std::filesystem::path& file, const std::string& text);
 
 }  // namespace mpmvv::cli

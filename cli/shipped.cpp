@@ -94,13 +94,19 @@ std::vector<std::string> study_names(const fs::path& folder) {
   return names;
 }
 
+void refuse_without_study(const std::string& folder) {
+  std::error_code failed;
+  fs::directory_iterator(folder, failed);
+  throw UsageError(failed ? fmt::format("cannot read --studies {}: {} (a folder with *.toml)", folder, failed.message())
+                          : fmt::format("no study file in --studies {} (a folder with *.toml)", folder));
+}
+
 std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder) {
   if (names.empty() && folder.empty())
     throw UsageError("no study named (study files, names of `mpmvv list studies`, or --studies FOLDER)");
   const fs::path place = folder.empty() ? shipped("studies") : fs::path(folder);
   const std::vector<std::string> known = study_names(place);
-  if (known.empty() && !folder.empty())
-    throw UsageError(fmt::format("no study file in --studies {} (a folder with *.toml)", folder));
+  if (known.empty() && !folder.empty()) refuse_without_study(folder);
   std::vector<std::string> files;
   for (const std::string& name : names.empty() ? known : names) {
     const bool is_there = !names.empty() && may_be_read(name);

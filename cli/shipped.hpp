@@ -36,6 +36,9 @@ std::vector<goldens::Golden> goldens_in(const std::filesystem::path& folder, con
 /// Names of the studies in a folder, in their order; none where there is no folder.
 std::vector<std::string> study_names(const std::filesystem::path& folder);
 
+/// Throws the UsageError for a folder of `--studies` in which there is no study file, or which cannot be read.
+[[noreturn]] void refuse_without_study(const std::string& folder);
+
 /// The study files that a user names, by their paths or, in a folder and among those that come with the program, by
 /// their names alone; all of the folder where none is named. UsageError where there is none.
 std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder);

@@ -83,8 +83,12 @@ void require_finite(const nlohmann::json& fields, const SolutionOptions& options
 }
 
 std::string content_of(const std::string& points) {
-  if (points != "-") return support::require_file(points, "CSV with columns X, ... and t");
-  return {std::istreambuf_iterator<char>(std::cin), {}};
+  const std::string wanted = "CSV with columns X, ... and t";
+  std::string content =
+      points == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : support::require_file(points, wanted);
+  if (content.find('\0') != std::string::npos)
+    throw UsageError(fmt::format("--points {} is no text: it has bytes of 0 ({})", points, wanted));
+  return content;
 }
 
 std::vector<std::string> fields_of(const std::string& text) {

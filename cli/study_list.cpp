@@ -1,7 +1,5 @@
 #include "cli/study_list.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -43,8 +41,7 @@ nlohmann::json study_list(const std::string& folder) {
     const auto file = support::TomlTable::read(place / (name + ".toml"));
     studies.push_back({{"name", name}, {"title", file.text("title")}, {"claims", claims_of(file)}});
   }
-  if (studies.empty())
-    throw support::UsageError(fmt::format("no study in '{}' (--studies: a folder with study files)", place.string()));
+  if (studies.empty()) refuse_without_study(place.string());
   return studies;
 }
 

@@ -57,7 +57,7 @@ std::size_t Table::room(std::size_t width) const {
 }
 
 bool Table::stands_below(std::size_t width) const {
-  return columns_.back().kind == Kind::prose && room(width) < least_open;
+  return is_open() && room(width) < least_open;
 }
 
 /// Heads stand on the line above the first row, their other lines above that.
@@ -87,13 +87,11 @@ std::string Table::line(const Cells& cells, bool coloured) const {
 std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
   if (!is_open()) return line(cells, coloured);
   const std::string last = std::exchange(cells.back(), "");
-  if (columns_.back().kind == Kind::line) {
-    cells.back() = cut(last, std::max(room(width), least_open));
-    return line(cells, coloured);
-  }
   const bool is_beside = !stands_below(width);
   const std::size_t margin = is_beside ? this->width() : indent_ + below;
-  std::vector<std::string> lines = wrapped(last, std::max(width, margin + 1) - margin);
+  const std::size_t left = std::max(width, margin + 1) - margin;
+  std::vector<std::string> lines =
+      columns_.back().kind == Kind::line ? std::vector{cut(last, left)} : wrapped(last, left);
   if (is_beside) cells.back() = std::exchange(lines.front(), "");
   std::string text = line(cells, coloured);
   for (const std::string& more : lines)

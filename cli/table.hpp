@@ -12,7 +12,7 @@ namespace mpmvv::cli {
 class Table {
  public:
   /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line
-  /// has left (below the row and without its head where that is little), or a `line`, which is cut there.
+  /// has left, or a `line`, which is cut there. Where that is little it stands below the row, and has no head.
   enum class Kind { text, number, verdict, prose, line };
 
   struct Column {
@@ -32,9 +32,10 @@ class Table {
  private:
   using Cells = std::vector<std::string>;
 
-  bool is_open() const;                        ///< the last column takes what a line has left
-  std::size_t room(std::size_t width) const;   ///< what a line has left for it
-  bool stands_below(std::size_t width) const;  ///< prose without room beside the rest, which then has no head either
+  bool is_open() const;                       ///< the last column takes what a line has left
+  std::size_t room(std::size_t width) const;  ///< what a line has left for it
+  bool stands_below(
+      std::size_t width) const;  ///< the last column, without room beside the rest, which then has no head either
   std::vector<Cells> head_lines() const;
   std::string line(const Cells& cells, bool coloured) const;
   std::string row(Cells cells, std::size_t width, bool coloured) const;

@@ -1,5 +1,6 @@
 #include "reports/picture_file.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,10 +18,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The folder for temporary files. The system takes the first of these variables that is set, else /tmp.
+fs::path temporary_place() {
+  std::error_code failed;
+  fs::path place = fs::temp_directory_path(failed);
+  if (!failed) return place;
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"})
+    if (const char* named = std::getenv(variable))
+      throw support::UsageError(
+          fmt::format("{} is '{}', which is no folder (one that is there and can be written)", variable, named));
+  throw support::UsageError("/tmp is no folder (TMPDIR names one that is there and can be written)");
+}
+
 /// A temporary folder for drawing, removed at the end.
 class Scratch {
  public:
-  Scratch() : path_((fs::temp_directory_path() / "mpmvv-figure-XXXXXX").string()) {
+  Scratch() : path_((temporary_place() / "mpmvv-figure-XXXXXX").string()) {
     if (!mkdtemp(path_.data()))
       throw support::UsageError("cannot make " + path_ + " (" + std::strerror(errno) +
                                 "); name a folder that can be written in TMPDIR");

@@ -125,8 +125,6 @@ Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan)
     c.over = table.text("over");
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
-    if (std::ranges::find(c.series, c.over) != c.series.end())
-      throw UsageError(fmt::format("series '{}' over itself in {} (another one)", c.over, table.where("over")));
     compared.push_back(c.over);
   }
   if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio)

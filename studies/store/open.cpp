@@ -42,7 +42,12 @@ void require_ours(const fs::path& file) {
 void require_place(const fs::path& file, bool create) {
   std::error_code ignored;
   if (file.empty()) throw UsageError("no name given for the results store (for instance results.db)");
-  if (fs::exists(file, ignored)) {
+  std::error_code failed;
+  const bool is_there = fs::exists(file, failed);
+  if (failed)
+    throw UsageError(fmt::format("results store '{}' cannot be used: {} (a file that can be reached)", file.string(),
+                                 failed.message()));
+  if (is_there) {
     if (!fs::is_regular_file(file, ignored))
       throw UsageError(fmt::format("results store '{}' is not a file (name a file)", file.string()));
     require_ours(file);

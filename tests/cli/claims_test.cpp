@@ -172,6 +172,16 @@ TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {
   }
 }
 
+TEST_F(Claims, AndTheStoreFitANarrowTerminal) {
+  for (const std::string command : {"claims", "db info"}) {
+    std::istringstream lines(on_terminal(folder_, 40, command + " --db " + db_));
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;  // as a digest is
+      EXPECT_TRUE(columns_of(line) <= 40 || is_word || line.starts_with("file ")) << line;
+    }
+  }
+}
+
 TEST_F(Claims, AreFoundByTheirIdsAlone) {
   const Answer unknown = claims("secnod");
   EXPECT_EQ(unknown.code, 2);

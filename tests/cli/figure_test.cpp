@@ -59,6 +59,18 @@ TEST_F(Figure, AnotherVersionsResultsAreDrawnWhereItIsNamed) {
   EXPECT_EQ(read_text(folder_ / "old.svg"), read_text(folder_ / "own.svg"));
 }
 
+TEST_F(Figure, AFolderForDrawingThatIsNoneIsNamedWithItsVariable) {
+  folder_.write("file", "");
+  for (const std::string place : {"", "/nonexist", "file"}) {
+    const Answer answer = call(folder_, "figure small --db r.db", there_ + "TMPDIR=" + place + " ");
+    EXPECT_EQ(answer.code, 2) << place;
+    EXPECT_EQ(answer.err,
+              "mpmvv: TMPDIR is '" + place + "', which is no folder (one that is there and can be written)\n");
+  }
+  EXPECT_THAT(call(folder_, "figure small --db r.db", there_ + "unset TMPDIR; TMP=/nonexist ").err,
+              StartsWith("mpmvv: TMP is '/nonexist'"));
+}
+
 TEST_F(Figure, TheFilesEndingSaysItsFormat) {
   EXPECT_EQ(draw("small --out made/by-hand.svg --width 8.4cm").out, "made/by-hand.svg\n");
   EXPECT_THAT(read_text(folder_ / "made/by-hand.svg"), HasSubstr("</svg>"));

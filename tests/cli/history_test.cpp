@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "cli/lines.hpp"
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
@@ -72,6 +74,17 @@ TEST_F(History, CompareShowsWhatChangedWorstFirst) {
   EXPECT_THAT(ask("compare c0f c0d --all").out, HasSubstr("value 'gap': 1 -> 1"));
   EXPECT_THAT(answer.out, Not(HasSubstr("one version")));
   EXPECT_THAT(ask("compare c0f c0f").out, HasSubstr("both are one version"));
+}
+
+TEST_F(History, FitsANarrowTerminal) {
+  const std::string digest(16, 'd'), commit(12, 'c');
+  keep(db_, bar_study(1, 5e-3), digest, commit, "2026-01-03T00:00:00Z");
+  for (const int columns : {40, 60})
+    for (const std::string command : {"trend", "compare c0f ccc", "compare ccc ccc"}) {
+      std::istringstream lines(on_terminal(folder_, columns, command + " --db r.db"));
+      for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(columns_of(line), static_cast<std::size_t>(columns)) << command << ": " << line;
+    }
 }
 
 TEST_F(History, CompareAsJson) {

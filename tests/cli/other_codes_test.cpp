@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -194,6 +196,40 @@ TEST_F(OtherCodes, ABrokenAdapterTakesItsOwnPlaceInTheListAlone) {
   for (const nlohmann::json& code : answer["codes"]) codes[code["code"]] = code;
   EXPECT_THAT(codes.at("broken")["fault"], HasSubstr("adapters/broken/adapter.toml:1"));
   EXPECT_TRUE(codes.at("small-mpm").contains("program"));
+}
+
+/// What `list codes` says of a code whose program is this script.
+nlohmann::json listed(const Folder& folder, const std::string& code, const std::string& script) {
+  std::string variable = "MPMVV_" + code;
+  std::ranges::transform(variable, variable.begin(), [](unsigned char c) { return c == '-' ? '_' : std::toupper(c); });
+  const std::string program = folder.write("program", "#!/bin/sh\n" + script + "\n");
+  const Answer list =
+      carry_out(folder, "chmod +x program\nexport " + variable + "='" + program + "'\nmpmvv list codes --json");
+  const nlohmann::json answer = list.json();
+  for (const nlohmann::json& each : answer["codes"])
+    if (each["code"] == code) return each;
+  return {};
+}
+
+TEST_F(OtherCodes, AProgramThatSaysNoVersionHasAFaultInItsPlace) {
+  const std::string broken = "echo \"$0: error while loading shared libraries: x.so\" >&2; exit 127",
+                    wrong = "echo 'usage: program page'", silent = "exit 0";
+  for (const std::string code : {"nairn", "karamelo"}) {
+    for (const std::string& script : {broken, wrong, silent}) {
+      const nlohmann::json entry = listed(folder_, code, script);
+      EXPECT_FALSE(entry.contains("version")) << entry;
+      EXPECT_THAT(entry.value("fault", ""), HasSubstr("code '" + code + "' gives no version")) << script;
+    }
+    EXPECT_THAT(listed(folder_, code, broken).value("fault", ""), HasSubstr("error while loading shared libraries"));
+  }
+  EXPECT_THAT(listed(folder_, "small-mpm", broken).value("fault", ""), HasSubstr("gives no version"));
+}
+
+TEST_F(OtherCodes, AVersionIsFoundInWhatAProgramSays) {
+  const std::string trouble = "\necho 'no input' >&2; exit 1";
+  EXPECT_EQ(listed(folder_, "nairn", "echo 'This is NairnMPM 19.0 build 0'" + trouble).value("version", ""), "19.0");
+  EXPECT_EQ(listed(folder_, "karamelo", "echo 'GIT SHA1:08e444db1dff of 2025'" + trouble).value("version", ""),
+            "08e444db1d");
 }
 
 TEST_F(OtherCodes, AreListedInLinesThatATerminalHolds) {

@@ -70,6 +70,30 @@ TEST_F(Outputs, ReplaceNoFileOfAnotherKind) {
   for (int k = 0; k < 2; ++k) EXPECT_EQ(call(folder, "db export --db v.db --out notes.txt", cd).code, 0) << k;
 }
 
+TEST_F(Outputs, AreNoPipeThatNobodyMayRead) {
+  const std::string cd = "cd '" + (folder / "") + "' && ", particles = "particles --problem bar --cells 8 --ppc 2 ";
+  ASSERT_EQ(shell("mkfifo '" + (folder / "pipe") + "'").code, 0);
+  folder.write("goldens/g.toml",
+               "study = \"s\"\nreviewed = \"now\"\n[[value]]\nname = \"gap\"\nexpected = 1\nband = 0.1\n");
+  for (const std::string& arguments :
+       {std::string("gate --db v.db --goldens goldens --junit pipe"), std::string("db export --db v.db --out pipe"),
+        particles + "--cfl 0.2 --csv pipe", particles + "--cfl 0.2 --vtu pipe"}) {
+    const Answer answer = call(folder, arguments, cd + "timeout 20 ");
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, HasSubstr(" pipe is a pipe, a socket or a disk (a file, or /dev/stdout)\n"));
+  }
+}
+
+TEST_F(Outputs, AreStreamsThatAreOpen) {
+  const std::string cd = "cd '" + (folder / "") + "' && timeout 20 ", exported = "db export --db v.db --out ";
+  const std::string csv = call(folder, "db export --db v.db", cd).out;
+  ASSERT_NE(csv, "");
+  EXPECT_EQ(call(folder, exported + "/dev/stdout", cd).out, csv);
+  EXPECT_EQ(call(folder, exported + "/dev/fd/3 3>&1 >&2", cd).out, csv);
+  EXPECT_EQ(call(folder, exported + "/dev/null", cd).code, 0);
+  EXPECT_EQ(on_terminal(folder, 80, exported + "/dev/stdout"), csv);
+}
+
 TEST_F(Outputs, AreNoFolderThatHoldsAnInput) {
   const std::string cd = "cd '" + (folder / "") + "' && ";
   for (const char* arguments :

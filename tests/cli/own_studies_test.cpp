@@ -157,14 +157,22 @@ TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
   ASSERT_EQ(studies.size(), 1U);
   EXPECT_EQ(studies[0], (nlohmann::json{{"name", "one"}, {"title", "Small"}, {"claims", {"S-fig10"}}}));
   EXPECT_THAT(in_folder("mpmvv list studies").out, HasSubstr("Bar: convergence with linear and quadratic basis"));
-  EXPECT_THAT(in_folder("mpmvv list studies --studies absent").err, HasSubstr("no study in 'absent'"));
+  EXPECT_THAT(in_folder("mpmvv list studies --studies absent").err, HasSubstr("cannot read --studies absent: No"));
   EXPECT_THAT(in_folder("mpmvv list bases --studies .").err, HasSubstr("--studies without studies"));
 }
 
 TEST_F(OwnStudies, AreToBeNamedAndThere) {
   EXPECT_THAT(in_folder("mpmvv study --db results.db").err, HasSubstr("no study named (study files, names of"));
   EXPECT_THAT(in_folder("mpmvv study --studies . --db results.db").err, HasSubstr("no study file in --studies ."));
-  EXPECT_THAT(in_folder("mpmvv study --studies absent --db results.db").err, HasSubstr("in --studies absent"));
+  EXPECT_THAT(in_folder("mpmvv list studies --studies .").err, HasSubstr("no study file in --studies ."));
+  const std::string long_name(300, 'x');
+  folder_.write("file", "");
+  for (const auto& [folder, why] : {std::pair<std::string, std::string>{"absent", "No such file or directory"},
+                                    {"file", "Not a directory"},
+                                    {long_name, "File name too long"}})
+    for (const std::string command : {"study --db results.db", "list studies"})
+      EXPECT_EQ(in_folder("mpmvv " + command + " --studies " + folder).err,
+                "mpmvv: cannot read --studies " + folder + ": " + why + " (a folder with *.toml)\n");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "results.db"));
 }
 

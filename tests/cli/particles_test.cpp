@@ -50,4 +50,22 @@ TEST(ParticlesCommand, RefusesWhatIsNoCase) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
+TEST(ParticlesCommand, RefusesCodesAndVariantsThatAreNotThere) {
+  const Folder folder;
+  for (const auto& [code, why] : {std::pair{"--code small-mmp", "no adapter of code 'small-mmp' in --code"},
+                                  {"--code small-mpm --variant x", "unknown variant 'x' of code 'small-mpm'"},
+                                  {"--code small-mpm", "no variant for code 'small-mpm' in --code"}}) {
+    const Answer answer = call(folder, square + " " + code);
+    EXPECT_EQ(answer.code, 2) << code;
+    EXPECT_THAT(answer.err, HasSubstr(why));
+    EXPECT_EQ(answer.out, "");
+    const std::string forces =
+        "expression --dialect python --form per-particle --problem square --cells 4 --ppc 2 --cfl 0.2 ";
+    EXPECT_THAT(call(folder, forces + code).err, HasSubstr(why));
+  }
+  const std::string named = square + " --code small-mpm --variant linear";
+  EXPECT_EQ(call(folder, named).out, call(folder, square).out);
+  EXPECT_EQ(call(folder, square + " --code matter --variant flip", "unset MPMVV_MATTER; ").code, 0);
+}
+
 }  // namespace mpmvv::cli::particles_test

@@ -79,4 +79,18 @@ TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
   }
 }
 
+TEST(SolutionCommand, QuotesLittleOfPointsThatAreNone) {
+  const Folder folder;
+  folder.write("binary", "SQLite" + std::string(50'000, '\0') + "\n1\n");
+  const std::string solution = "solution --problem bar --time 0 --points ", name = folder / "binary";
+  const std::string why = " is no text: it has bytes of 0 (CSV with columns X, ... and t)\n";
+  EXPECT_EQ(call(folder, solution + name).err, "mpmvv: --points " + name + why);
+  EXPECT_EQ(call(folder, solution + "- < " + name).err, "mpmvv: --points -" + why);
+  const Answer words = call(folder, solution + folder.write("words", std::string(50'000, 'x') + "\n1\n"));
+  EXPECT_EQ(words.code, 2);
+  EXPECT_THAT(words.err, testing::StartsWith("mpmvv: no column 'X' in "));
+  EXPECT_THAT(words.err, testing::EndsWith("xxx…\n"));
+  EXPECT_LT(words.err.size(), 2100U);
+}
+
 }  // namespace mpmvv::cli::solution_test

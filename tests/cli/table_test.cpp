@@ -116,6 +116,15 @@ TEST(Table, CutsALineToTheWidthThatIsLeft) {
   EXPECT_EQ(table.text(40, false), "study    what\ns-fig10  a sentence of some words that …\n");
 }
 
+TEST(Table, ALineWithoutRoomStandsBelowItsRow) {
+  Table table({{"claim"}, {"verdict", Kind::verdict}, {"statement", Kind::line}}, 0);
+  table.add({"S-fig10", "confirmed", "a sentence of some words that a line of thirty cannot hold"});
+  EXPECT_EQ(table.text(30, false),
+            "claim    verdict\n"
+            "S-fig10  confirmed\n"
+            "    a sentence of some words …\n");
+}
+
 TEST(Table, ColoursVerdictsAlone) {
   Table table({{"verdict", Kind::verdict}, {"what"}}, 0);
   table.add({"holds", "fails"});

@@ -48,6 +48,14 @@ TEST_F(StoreOpen, AnAbsentFolderIsNotMade) {
   EXPECT_FALSE(std::filesystem::exists(file_.parent_path()));
 }
 
+TEST_F(StoreOpen, APlaceThatTheSystemRefusesIsNotTakenForAbsent) {
+  file_ = folder_ / std::string(300, 'x');
+  for (const Mode mode : {Mode::read, Mode::write, Mode::create_or_write})
+    EXPECT_EQ(complaint_of_opening(mode), fmt::format("results store '{}' cannot be used: File name too long (a file "
+                                                      "that can be reached)",
+                                                      file_.string()));
+}
+
 TEST_F(StoreOpen, TheStoreSaysWhoseItIs) {
   create();
   EXPECT_EQ(bytes_of(file_).substr(68, 4), "MPMV");

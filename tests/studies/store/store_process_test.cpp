@@ -163,6 +163,20 @@ TEST_F(StoreProcesses, AFolderThatTakesNoJournalIsFoundOutAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "new.db"));
 }
 
+TEST_F(StoreProcesses, AStoreInAFolderThatMayNotBeSearchedIsNotTakenForAbsent) {
+  Store(file_, Mode::create_or_write).keep(record(8), provenance());
+  std::filesystem::permissions(folder_, std::filesystem::perms(0));
+  const int status = exit_status(start([&] {
+    become_nobody();
+    int wrong = 0;
+    for (const Mode mode : {Mode::read, Mode::write, Mode::create_or_write})
+      wrong += expect_complaint([&] { Store(file_, mode); }, "cannot be used: Permission denied");
+    return wrong;
+  }));
+  if (status == skipped) GTEST_SKIP() << "cannot become another user";
+  EXPECT_EQ(status, 0);
+}
+
 /// Keeps records until one is refused; the number of those kept, 0 when the complaint is not this one.
 int fill(const std::filesystem::path& file, const std::string& text) {
   Store store(file, Mode::create_or_write);
