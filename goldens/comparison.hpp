@@ -36,8 +36,8 @@ struct Comparison {
 };
 
 /// Compares the findings of the same study and name; of several, the first with the first, and so on. Findings that
-/// only one side has are listed in `only_before` and `only_after`. So is the verdict on a claim that other studies judge
-/// on the other side, with the studies that judge it.
+/// only one side has are listed in `only_before` and `only_after`. So is the verdict on a claim that other studies
+/// judge on the other side, with the studies that judge it.
 Comparison compare(const std::vector<claims::Finding>& before, const std::vector<claims::Finding>& after);
 
 }  // namespace mpmvv::goldens
