@@ -105,8 +105,8 @@ class Store {
 
   /// Copies into the store `file`, which is made when absent, every record and study of the others that it lacks;
   /// returns the number of records copied. All or nothing: a merge that fails or is killed changes nothing but an older
-  /// schema, and leaves no new file but an empty one. Of records with the same key the first one stays, unless it failed and the other
-  /// one was carried out, or failed of the case while the first one did not.
+  /// schema, and leaves no new file but an empty one. Of records with the same key the first one stays, unless it
+  /// failed and the other one was carried out, or failed of the case while the first one did not.
   static std::int64_t merge(const std::filesystem::path& file, std::span<const std::filesystem::path> others);
   static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other) {
     return merge(file, {&other, 1});
