@@ -77,7 +77,7 @@ std::vector<settings::Setting> CaseOptions::settings() const {
 
 cases::Case CaseOptions::the_case() const {
   std::vector<settings::Setting> all = settings();
-  plan::CodeFinder(shipped("adapters")).complete(all, ".");
+  plan::CodeFinder(shipped("adapters")).complete_variant(all, ".");
   return settings::make_case(all);
 }
 

@@ -24,10 +24,13 @@ namespace {
 
 constexpr int usage_error = 2;
 
-/// One line on standard error, whatever the message holds. It is cut where it quotes more than anybody reads.
+/// One line on standard error, whatever the message holds. Of one that quotes more than anybody reads the middle is
+/// left out, for its end says what would be right.
 int complain(const std::string& program, const std::string& message) {
-  constexpr std::size_t longest = 2000;
-  note("{}: {}\n", program, cut(support::printable(support::with_suggestion(message)), longest));
+  constexpr std::size_t longest = 2000, end = 300;
+  std::string text = support::printable(support::with_suggestion(message));
+  if (columns_of(text) > longest) text = cut(text, longest - end) + text.substr(text.size() - end);
+  note("{}: {}\n", program, text);
   return usage_error;
 }
 

@@ -65,8 +65,8 @@ void print_comparison(const goldens::Comparison& comparison, const Version& a, c
     if (all || change.bands != 0) table.add({change.before.study, change_text(change)});
   for (const Change& cost : comparison.costs) table.add({cost.before.study, change_text(cost)});
   table.print();
-  for (const std::string& what : comparison.only_before) print_indented("only in the first: " + what, 0);
-  for (const std::string& what : comparison.only_after) print_indented("only in the second: " + what, 0);
+  for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
+  for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
   print_indented(fmt::format("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} "
                              "shown as ratios",
                              comparison.changed(), comparison.changes.size(), goldens::relative_round_off,

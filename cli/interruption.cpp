@@ -1,6 +1,9 @@
 #include "cli/interruption.hpp"
 
+#include <fmt/format.h>
+#include <poll.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <mutex>
@@ -41,10 +44,27 @@ bool is_ignored(int signal) {
   return action.sa_handler == SIG_IGN;
 }
 
-[[noreturn]] void end_program(const std::string& program) {
+/// Says so on standard error, unless that would have to wait for who reads it, or for a thread that is writing.
+void say_at_once(const std::string& text) {
+  pollfd messages{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&messages, 1, 0) != 1 || (messages.revents & POLLOUT) == 0) return;
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nobody to tell
+}
+
+/// An interrupt from the keyboard ends the program as it would without this, so that a shell ends the loop, too, in
+/// which it was called.
+[[noreturn]] void end_program(int signal, const std::string& program) {
   const auto nobody_sees_them_end = support::kill_processes();
-  if (note_columns()) note_text("\r\033[K");  // where a line of progress may stand
-  note("stopped: {} was ended before it had finished\n", program);
+  const char* line_start = note_columns() ? "\r\033[K" : "";  // where a line of progress may stand
+  say_at_once(fmt::format("{}stopped: {} was ended before it had finished\n", line_start, program));
+  if (signal == SIGINT) {
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, SIGINT);
+    std::signal(SIGINT, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
+    raise(SIGINT);
+  }
   std::_Exit(interrupted);
 }
 
@@ -58,11 +78,11 @@ Interrupts::Interrupts(std::string program) : program_(std::move(program)) {
   pthread_sigmask(SIG_BLOCK, &awaited_, &before_);
   waiting_ = std::jthread([this](const std::stop_token& over) {
     for (int signal = 0; !over.stop_requested();) {
-      if (sigwait(&awaited_, &signal) != 0 || signal == SIGUSR1) continue;
+      if (sigwait(&awaited_, &signal) != 0 || signal == SIGUSR1 || over.stop_requested()) continue;
       if (auto source = who_is_asked())
         source->request_stop();
       else
-        end_program(program_);
+        end_program(signal, program_);
     }
   });
 }
@@ -71,6 +91,12 @@ Interrupts::~Interrupts() {
   waiting_.request_stop();
   pthread_kill(waiting_.native_handle(), SIGUSR1);
   waiting_.join();
+  sigset_t left_over;
+  sigemptyset(&left_over);
+  sigaddset(&left_over, SIGUSR1);
+  constexpr timespec at_once{};
+  while (sigtimedwait(&left_over, nullptr, &at_once) > 0) {
+  }
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 

@@ -6,8 +6,8 @@
 
 namespace mpmvv::cli {
 
-constexpr int interrupted =
-    130;  ///< the exit code that shells give to a program that was interrupted from the keyboard
+/// The exit code that shells give to a program that was interrupted from the keyboard.
+inline constexpr int interrupted = 130;
 
 /// While it lives, an interrupt from the keyboard (SIGINT), a request to end (SIGTERM) or the end of the terminal
 /// (SIGHUP) ends the program with a line that says so, and kills what it has started; those that the program was

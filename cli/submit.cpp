@@ -55,8 +55,9 @@ bool has_controls(const std::string& text) {
 void require_plain(const fs::path& folder) {
   const std::string name = folder.string();
   if (has_controls(name) || name.find_first_of("'\"\\%") != std::string::npos)
-    throw support::UsageError(
-        fmt::format("--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", name));
+    throw support::UsageError(fmt::format(
+        "folder '{}' of the jobs (--folder with a name without quotes, backslashes, per cent signs and line breaks)",
+        name));
 }
 
 /// A name that stands in a line of a script which a cluster's programs read.

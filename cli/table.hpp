@@ -32,10 +32,9 @@ class Table {
  private:
   using Cells = std::vector<std::string>;
 
-  bool is_open() const;                       ///< the last column takes what a line has left
-  std::size_t room(std::size_t width) const;  ///< what a line has left for it
-  bool stands_below(
-      std::size_t width) const;  ///< the last column, without room beside the rest, which then has no head either
+  bool is_open() const;                        ///< the last column takes what a line has left
+  std::size_t room(std::size_t width) const;   ///< what a line has left for it
+  bool stands_below(std::size_t width) const;  ///< the last column, without room beside the rest and without a head
   std::vector<Cells> head_lines() const;
   std::string line(const Cells& cells, bool coloured) const;
   std::string row(Cells cells, std::size_t width, bool coloured) const;

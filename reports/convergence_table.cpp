@@ -85,9 +85,9 @@ class ConvergenceTable {
     std::set<double> levels;
     std::set<Window> windows;
     for (const Series& series : study.series) {
-      const bool has_any = std::ranges::any_of(
-          series.points, [&](const Point& point) { return is_measured(point) || point.status != records::Status::ok; });
-      if (series.points.size() > longest_shown || !has_any) continue;
+      const bool is_any_measured = std::ranges::any_of(series.points, [&](const Point& p) { return is_measured(p); });
+      const bool is_any_sound = std::ranges::count(series.points, records::Status::ok, &Point::status) > 0;
+      if (series.points.size() > longest_shown || (!is_any_measured && is_any_sound)) continue;
       series_.push_back(&series);
       for (const Point& point : series.points) levels.insert(point.x);
       for (const ObservedOrder& order : orders_of(series)) {

@@ -41,8 +41,9 @@ data tile_data(const Tile& tile) {
 }
 
 /// What changed, of all that could be compared.
-std::string change_text(const std::vector<std::string>& changes, std::size_t compared, std::size_t all) {
-  if (compared == 0) return all == 0 ? "" : "not comparable, as no study is in both";
+std::string change_text(const std::vector<std::string>& changes, std::size_t compared, std::size_t all,
+                        const char* why_none) {
+  if (compared == 0) return all == 0 ? "" : fmt::format("not comparable, as {}", why_none);
   const std::string text = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, "; "));
   return compared < all ? fmt::format("{} ({} of {} compared)", text, compared, all) : text;
 }
@@ -57,7 +58,7 @@ Tile gate_tile(const ReportInput& input) {
   for (const auto& [step, count] : input.earlier->gate_change)
     changes.push_back(
         fmt::format("{} {}, {} {}", count, to_string(step.second), count == 1 ? "was" : "were", to_string(step.first)));
-  tile.change = change_text(changes, input.earlier->goldens_compared, lines.size());
+  tile.change = change_text(changes, input.earlier->goldens_compared, lines.size(), "no study with goldens is in both");
   return tile;
 }
 
@@ -89,7 +90,7 @@ Tile claims_tile(const ReportInput& input) {
     if (then->second != claim.verdict)
       changes.push_back(fmt::format("{}: {}, was {}", claim.id, to_string(claim.verdict), to_string(then->second)));
   }
-  tile.change = change_text(changes, compared, judged);
+  tile.change = change_text(changes, compared, judged, "the same studies judge none in both");
   return tile;
 }
 

@@ -142,7 +142,7 @@ std::string CodeFinder::complete(std::vector<Setting>& settings, const fs::path&
   const Setting code = *found;
   const bool is_known = adapters_.contains(code.value);
   const Adapter& adapter = this->adapter(code.value, adapter_file(code.value, study_folder, code.where), code.where);
-  complete_variant(settings, adapter, code.where);
+  plan::complete_variant(settings, adapter, code.where);
   if (!is_known)
     if (auto there = codes::find_code(adapter)) codes_.emplace(code.value, std::move(*there));
   if (!codes_.contains(code.value)) return codes::how_to_get(adapter);
@@ -150,6 +150,13 @@ std::string CodeFinder::complete(std::vector<Setting>& settings, const fs::path&
   add_found(settings, "code_version", there.version, code.where);
   add_found(settings, "adapter", there.digest, code.where);
   return "";
+}
+
+void CodeFinder::complete_variant(std::vector<Setting>& settings, const fs::path& study_folder) {
+  const Setting* found = last_of(settings, "code");
+  if (!found) return;
+  const Setting code = *found;
+  plan::complete_variant(settings, codes::read_adapter(adapter_file(code.value, study_folder, code.where)), code.where);
 }
 
 std::string complete_series(StudyPlan& plan, const fs::path& file, CodeFinder& finder) {

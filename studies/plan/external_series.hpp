@@ -30,6 +30,9 @@ class CodeFinder {
   /// empty text.
   std::string complete(std::vector<settings::Setting>& settings, const std::filesystem::path& study_folder);
 
+  /// Completes the variant alone, of a code whose program need not be there, with the same errors.
+  void complete_variant(std::vector<settings::Setting>& settings, const std::filesystem::path& study_folder);
+
   /// The codes that were found.
   const codes::Codes& codes() const { return codes_; }
 

@@ -78,9 +78,10 @@ Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
           : measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
   figure.marks = series_names(table, "marks", plan);
   if (table.has("slopes")) figure.slopes = table.numbers("slopes");
-  const bool is_lattice = figure.kind == Figure::Kind::particles;  // whose axes are lengths
-  read_range(table, "x_range", figure.log_x && !is_lattice, figure.x_min, figure.x_max);
-  read_range(table, "y_range", figure.log_y && !is_lattice, figure.y_min, figure.y_max);
+  const bool is_of_particles =
+      figure.kind == Figure::Kind::particles;  // its axes are lengths, but in 1D errors upright
+  read_range(table, "x_range", figure.log_x && !is_of_particles, figure.x_min, figure.x_max);
+  read_range(table, "y_range", figure.log_y && !is_of_particles, figure.y_min, figure.y_max);
   require_drawable(plan, figure, table);
   return figure;
 }

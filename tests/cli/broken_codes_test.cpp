@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/cli/program.hpp"
+#include "tests/cli/started.hpp"
 #include "tests/studies/codes/mover.hpp"
 
 /// Studies whose code goes wrong, or is stopped.
@@ -52,9 +53,7 @@ class StudyOfABrokenCode : public testing::Test {
   void interrupt(pid_t child, const fs::path& file) const {
     for (int k = 0; k < 2000 && !fs::exists(file); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(child, SIGINT);
-    int status = 0;
-    waitpid(child, &status, 0);
-    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_EQ(exit_code_of(child), 130);
     for (const auto& entry : fs::directory_iterator(mover_.top()))
       EXPECT_NE(entry.path().filename().string().substr(0, 10), "mpmvv-run-");
   }

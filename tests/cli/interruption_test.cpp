@@ -63,6 +63,24 @@ TEST(Interruption, ARunSaysThatItIsNoWholeOne) {
   EXPECT_EQ(read_text(folder / "out"), "");
 }
 
+/// Its messages go into a pipe that is full, and that nobody reads.
+TEST(Interruption, IsNotHeldUpByWhoDoesNotRead) {
+  const Folder folder;
+  const std::string other = folder.write("other", "#!/bin/sh\nexec sleep 60\n"), pid = folder / "pid";
+  std::filesystem::permissions(other, std::filesystem::perms::owner_all);
+  const std::string cases = folder.write("cases.txt", "--problem bar --cells 8 --ppc 1 --cfl 0.2 --steps 4\n");
+  const std::string script =
+      folder.write("script", "head -c 65536 /dev/zero >&2\n'" + program() + "' cost '" + other + "' --cases '" + cases +
+                                 "' &\necho $! > '" + pid + "'\nwait $!\necho $? > '" + (folder / "code") + "'\n");
+  const std::jthread pipe([&] { shell("sh '" + script + "' 2>&1 >/dev/null | sleep 4"); });
+  wait_for([&] { return !read_text(pid).empty(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(std::stoi(read_text(pid)), SIGTERM);
+  for (int k = 0; k < 200 && read_text(folder / "code").empty(); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(read_text(folder / "code"), "130\n");
+}
+
 /// The other build has a process group of its own, so that the terminal sends it no signal.
 TEST(Interruption, OfAnyCommandEndsWhatItHasStarted) {
   const Folder folder;
@@ -76,7 +94,10 @@ TEST(Interruption, OfAnyCommandEndsWhatItHasStarted) {
     const pid_t child = start_in(folder, {"cost", other, "--cases", cases});
     wait_for([&] { return !read_text(number).empty(); });
     kill(child, signal);
-    EXPECT_EQ(exit_code_of(child), 130);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WIFSIGNALED(status), signal == SIGINT) << "else a shell would go on with the loop around the command";
+    EXPECT_EQ(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), 130);
     EXPECT_FALSE(codes::Mover::goes_on(number)) << signal;
     EXPECT_EQ(read_text(folder / "messages"), "stopped: mpmvv was ended before it had finished\n");
     EXPECT_EQ(read_text(folder / "out"), "");

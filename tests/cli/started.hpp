@@ -30,11 +30,11 @@ inline pid_t start_in(const Folder& folder, std::vector<std::string> arguments) 
   _exit(127);
 }
 
-/// The exit code of a program that was started; -1 where a signal ended it.
+/// The exit code of a program that was started as a shell has it, also of one that a signal ended.
 inline int exit_code_of(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 template <class Condition>

@@ -82,6 +82,14 @@ TEST(ConvergenceTable, ShowsSeriesThatAreUnstableEverywhere) {
                                                                                   "unstable & -- \\\\\n")));
 }
 
+TEST(ConvergenceTable, LeavesOutSeriesThatDoNotMeasureTheNorm) {
+  records::StudyResult study = two_series();
+  for (records::Point& point : study.series[1].points) point.y.clear();
+  study.series[1].orders.clear();
+  ASSERT_EQ(study.series[1].points[2].status, records::Status::unstable);
+  EXPECT_THAT(latex_convergence_tables(study), Not(HasSubstr("gimp")));
+}
+
 /// Eighteen series, five of which have fits of fewer points, which the caption tells.
 records::StudyResult long_names() {
   records::StudyResult study = two_series();

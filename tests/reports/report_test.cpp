@@ -135,7 +135,7 @@ TEST(Report, SaysWhichGoldensHaveAnotherVerdict) {
   auto in = input();
   in.earlier.emplace();
   const std::string counts = "1 inconclusive, 1 pass</span> <span class=\"change\">Since the version before: ";
-  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "not comparable, as no study is in both</span>"));
+  EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "not comparable, as no study with goldens is in both</span>"));
   in.earlier->goldens_compared = 2;
   EXPECT_THAT(page_of(in, folder), HasSubstr(counts + "as before</span>"));
   in.earlier->goldens_compared = 1;
