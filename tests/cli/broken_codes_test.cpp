@@ -84,7 +84,6 @@ TEST_F(StudyOfABrokenCode, SaysWhyItsRunsAreUnstableAndThatTheyMayHaveEnded) {
   mover_.script(std::regex_replace(Mover::moving, std::regex("\\$2 [+] t"), "$2 + 0.9 * t"));
   std::ofstream(mover_.top() / "s.toml") << std::regex_replace(Mover::study, std::regex("cfl = 0.5"),
                                                                "$&\nblowup_error = 1e-6");
-  const std::string hint = "then a wrong force is more likely than too long a time step";
   const std::string out = in_folder("study s.toml --db r.db").out;
   EXPECT_THAT(out, AllOf(ContainsRegex("\n +unstable +cells +why\n +theirs +4, 8, 16 +displacement errors 0[.0-9]+, "
                                        "0[.0-9]+, 0[.0-9]+ beyond 2.5e-07\n"),

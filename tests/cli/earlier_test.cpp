@@ -39,7 +39,7 @@ class EarlierVersion : public testing::Test {
     store::Provenance now = store::current_provenance(), then = now;
     then.digest = "00ff", then.commit = "c0ffee0123456789", then.time = "2001-01-01T00:00:00Z";
     now.digest = own_digest(folder_);
-    for (records::StudyResult study : {check("first", holds), check("second", fails)}) {
+    for (const records::StudyResult& study : {check("first", holds), check("second", fails)}) {
       store.keep_study(study, {}, then);
       if (study.name == "second") store.keep_study(study, {}, now);
       store.keep_study(with_another_code("third"), {}, study.name == "second" ? now : then);

@@ -161,7 +161,7 @@ TEST_F(History, VersionsThatAreNoneOrTwoAreRefused) {
 
 TEST_F(History, OfAStoreWithoutStudiesThereIsNone) {
   const std::string db = folder_ / "empty.db";
-  store::Store(db, store::Store::Mode::create_or_write);
+  { const store::Store made(db, store::Store::Mode::create_or_write); }
   const Answer answer = call(folder_, "trend --db " + db);
   EXPECT_EQ(answer.code, 2);
   EXPECT_EQ(answer.err, "mpmvv: " + db + " holds no study of mpmvv (run `mpmvv study` first)\n");

@@ -67,14 +67,14 @@ TEST(LatexTables, WhereTheLineIsTooShortTheColumnsThatGainMostAreBroken) {
   EXPECT_THAT(latex_tables({table}), HasSubstr("\\begin{tabular}{llll}"));
   table.groups[0].rows[0][2] = std::string(20, 'k');
   for (int k = 0; k < 4; ++k) {
-    table.columns.push_back("stable");
-    table.groups[0].rows[0].push_back("0.04");
+    table.columns.emplace_back("stable");
+    table.groups[0].rows[0].emplace_back("0.04");
   }
   const std::string broken = ">{\\raggedright\\arraybackslash}X";
   EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{" + broken + "lllllll}"));
   for (int k = 0; k < 3; ++k) {
-    table.columns.push_back("b");
-    table.groups[0].rows[0].push_back("0.04");
+    table.columns.emplace_back("b");
+    table.groups[0].rows[0].emplace_back("0.04");
   }
   EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{" + broken + broken + "lllllllll}"));
   table.groups[0].rows[0][2] = std::string(45, 'k');
