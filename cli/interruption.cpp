@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
@@ -16,6 +17,8 @@
 namespace mpmvv::cli {
 
 namespace {
+
+std::atomic<int> last_signal = 0;
 
 /// Whom an interrupt asks to stop, if anybody wants to be asked.
 struct Asked {
@@ -51,21 +54,11 @@ void say_at_once(const std::string& text) {
   if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // there is nobody to tell
 }
 
-/// An interrupt from the keyboard ends the program as it would without this, so that a shell ends the loop, too, in
-/// which it was called.
-[[noreturn]] void end_program(int signal, const std::string& program) {
+[[noreturn]] void end_program(const std::string& program) {
   const auto nobody_sees_them_end = support::kill_processes();
   const char* line_start = note_columns() ? "\r\033[K" : "";  // where a line of progress may stand
   say_at_once(fmt::format("{}stopped: {} was ended before it had finished\n", line_start, program));
-  if (signal == SIGINT) {
-    sigset_t one;
-    sigemptyset(&one);
-    sigaddset(&one, SIGINT);
-    std::signal(SIGINT, SIG_DFL);
-    pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
-    raise(SIGINT);
-  }
-  std::_Exit(interrupted);
+  end_interrupted();
 }
 
 }  // namespace
@@ -79,10 +72,11 @@ Interrupts::Interrupts(std::string program) : program_(std::move(program)) {
   waiting_ = std::jthread([this](const std::stop_token& over) {
     for (int signal = 0; !over.stop_requested();) {
       if (sigwait(&awaited_, &signal) != 0 || signal == SIGUSR1 || over.stop_requested()) continue;
+      last_signal = signal;
       if (auto source = who_is_asked())
         source->request_stop();
       else
-        end_program(signal, program_);
+        end_program(program_);
     }
   });
 }
@@ -106,6 +100,19 @@ Interruption::Interruption() {
 
 Interruption::~Interruption() {
   set_asked({});
+}
+
+void end_interrupted() {
+  if (last_signal == SIGINT) {
+    sigset_t one;
+    sigemptyset(&one);
+    sigaddset(&one, SIGINT);
+    std::signal(SIGINT, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &one, nullptr);
+    raise(SIGINT);
+  }
+  constexpr int interrupted = 130;
+  std::_Exit(interrupted);
 }
 
 }  // namespace mpmvv::cli

@@ -6,9 +6,6 @@
 
 namespace mpmvv::cli {
 
-/// The exit code that shells give to a program that was interrupted from the keyboard.
-inline constexpr int interrupted = 130;
-
 /// While it lives, an interrupt from the keyboard (SIGINT), a request to end (SIGTERM) or the end of the terminal
 /// (SIGHUP) ends the program with a line that says so, and kills what it has started; those that the program was
 /// started to ignore stay ignored. SIGUSR1, which schedulers of clusters send as well, changes nothing. A program has
@@ -39,5 +36,9 @@ class Interruption {
  private:
   std::stop_source source_;
 };
+
+/// Ends the program after an interrupt with 130, the exit code that shells give to one that was interrupted from the
+/// keyboard. If it was, it ends by the signal itself: a shell then ends the loop, too, in which it was called.
+[[noreturn]] void end_interrupted();
 
 }  // namespace mpmvv::cli

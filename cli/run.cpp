@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 
@@ -51,7 +50,7 @@ void require_options_of_code(const RunOptions& options, const cases::Case& c) {
 [[noreturn]] void stop(const std::string& what, const std::string& folder) {
   note("stopped: {} was ended before it had finished{}\n", what,
        folder.empty() ? "" : fmt::format("; what it had written is in {}", folder));
-  std::_Exit(interrupted);
+  end_interrupted();
 }
 
 /// The record of a case that another code runs. An interrupt ends that code, too.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -44,7 +43,7 @@ struct StudyOptions {
                           : fmt::format("the {} that finished while another process locked it and ", counts.unkept);
   note("stopped: {} finished and kept in {}, {}the running ones are lost; the same command goes on from there\n",
        count_text(counts.ran, "case"), options.db, unkept);
-  std::_Exit(interrupted);
+  end_interrupted();
 }
 
 /// Calls run(runner options) with a line of progress, where it can be interrupted.

@@ -154,20 +154,20 @@ void freeze_costs(Submission& submission, const std::string& costs) {
   store::Store::merge(submission.costs, costs);
 }
 
-/// Has the jobs queued and returns the program's exit code.
-int start(const Submission& submission, const Engine& engine) {
+/// Has the jobs queued.
+void start(const Submission& submission, const Engine& engine) {
   constexpr std::chrono::minutes limit{5};
   const fs::path script = submission.folder / "submit.sh";
   const Interruption interruption;
   const auto end = support::run_process({script}, submission.place, {}, limit, {}, interruption.token());
   if (end.good()) {
     print_text(end.output);
-    return 0;
+    return;
   }
   const std::string fault = submit_fault(script, end, limit, engine.queued);
   if (!end.stopped) throw support::UsageError(fault);
   note("stopped: {}\n", fault);
-  return interrupted;
+  end_interrupted();
 }
 
 int submit(const SubmitOptions& options) {
@@ -193,8 +193,10 @@ int submit(const SubmitOptions& options) {
     support::write_if_changed(file, script.text);
     fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
   }
-  if (!options.dry_run) return start(submission, *engine);
-  print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
+  if (options.dry_run)
+    print("written, not submitted: {}\n", (submission.folder / "submit.sh").string());
+  else
+    start(submission, *engine);
   return 0;
 }
 

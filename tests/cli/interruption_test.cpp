@@ -63,6 +63,28 @@ TEST(Interruption, ARunSaysThatItIsNoWholeOne) {
   EXPECT_EQ(read_text(folder / "out"), "");
 }
 
+TEST(Interruption, FromTheKeyboardEndsALoopOfTheShellToo) {
+  const Folder folder;
+  const std::string pid = folder / "pid", again = folder / "again";
+  const std::string run = "'" + program() + "' run --problem bar --cells 4096 --ppc 4 --cfl 0.001";
+  const std::string script = folder.write("loop", "for k in 1 2; do\n  [ $k = 2 ] && echo $k > '" + again +
+                                                      "'\n  echo $$ > '" + pid + "'\n  " + run + "\ndone\n");
+  const pid_t group = fork();
+  if (group == 0) {
+    setpgid(0, 0);
+    signal(SIGINT, SIG_DFL);
+    freopen("/dev/null", "w", stdout);
+    freopen("/dev/null", "w", stderr);
+    execlp("bash", "bash", script.c_str(), nullptr);
+    _exit(127);
+  }
+  wait_for([&] { return !read_text(pid).empty(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  kill(-group, SIGINT);
+  EXPECT_EQ(exit_code_of(group), 130);
+  EXPECT_FALSE(std::filesystem::exists(again));
+}
+
 /// Its messages go into a pipe that is full, and that nobody reads.
 TEST(Interruption, IsNotHeldUpByWhoDoesNotRead) {
   const Folder folder;
