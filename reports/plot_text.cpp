@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -123,7 +124,9 @@ std::string report_axes(const Chart& chart, const Layout& layout) {
                         layout.axes_top());
   text += fmt::format("set rmargin {}\n", chart.right_margin);
   text += fmt::format("set xlabel {} noenhanced\n", in_lines(layout.x_label));
-  text += fmt::format("set ylabel {} noenhanced\n", in_lines(layout.y_label));
+  // gnuplot sets the lines beyond the second on the tics' texts.
+  const double beyond_two = std::max(0.0, static_cast<double>(layout.y_label.size()) - 2);
+  text += fmt::format("set ylabel {} noenhanced offset {:g},0\n", in_lines(layout.y_label), 0 - 0.75 * beyond_two);
   return text + axis_text("x", chart.x, Notation::plain) + axis_text("y", chart.y, Notation::plain);
 }
 

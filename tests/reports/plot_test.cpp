@@ -214,6 +214,9 @@ TEST(Plot, ALabelLongerThanItsAxisStandsInTwoLines) {
   const TempFolder folder;
   draw({plot}, folder.path());
   EXPECT_THAT(content(folder / "s-fig4.svg"), HasSubstr("as the mean of all of its particles</text>"));
+  EXPECT_THAT(plot.script, HasSubstr("particles\" noenhanced offset 0,0\n"));
+  study.figures[0].ylabel += ", each of which counts once, whatever its mass is, and wherever it lies";
+  EXPECT_THAT(plots(study)[0].script, HasSubstr("\" noenhanced offset -1.5,0\n")) << "four lines, clear of the tics";
 }
 
 TEST(Plot, StudyWithoutAnyPointIsStillDrawn) {
