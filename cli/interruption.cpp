@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "cli/console.hpp"
@@ -69,19 +70,26 @@ Interrupts::Interrupts(std::string program) : program_(std::move(program)) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (!is_ignored(signal)) sigaddset(&awaited_, signal);
   pthread_sigmask(SIG_BLOCK, &awaited_, &before_);
-  waiting_ = std::jthread([this](const std::stop_token& over) {
-    for (int signal = 0; !over.stop_requested();) {
-      if (sigwait(&awaited_, &signal) != 0 || signal == SIGUSR1 || over.stop_requested()) continue;
-      last_signal = signal;
-      if (auto source = who_is_asked())
-        source->request_stop();
-      else
-        end_program(program_);
-    }
-  });
+  try {
+    waiting_ = std::jthread([this](const std::stop_token& over) { wait_until(over); });
+  } catch (const std::system_error&) {  // no thread is left for it: signals end the program, and nothing else
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+}
+
+void Interrupts::wait_until(const std::stop_token& over) const {
+  for (int signal = 0; !over.stop_requested();) {
+    if (sigwait(&awaited_, &signal) != 0 || signal == SIGUSR1 || over.stop_requested()) continue;
+    last_signal = signal;
+    if (auto source = who_is_asked())
+      source->request_stop();
+    else
+      end_program(program_);
+  }
 }
 
 Interrupts::~Interrupts() {
+  if (!waiting_.joinable()) return;
   waiting_.request_stop();
   pthread_kill(waiting_.native_handle(), SIGUSR1);
   waiting_.join();

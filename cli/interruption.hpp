@@ -18,6 +18,8 @@ class Interrupts {
   Interrupts& operator=(const Interrupts&) = delete;
 
  private:
+  void wait_until(const std::stop_token& over) const;
+
   std::string program_;
   sigset_t awaited_{}, before_{};
   std::jthread waiting_;

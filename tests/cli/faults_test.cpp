@@ -284,4 +284,17 @@ TEST_F(Faults, AFlagTakesTrueAndFalseAlone) {
   }
 }
 
+/// Root has no such limit.
+TEST(Limits, WithoutAThreadToSpareACommandThatNeedsNoneWorks) {
+  const std::string as_nobody = geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";
+  const auto version = [&](const std::string& limit) {
+    return shell(as_nobody + "bash -c '" + limit + " exec \"" + program() + "\" --version' 2>&1");
+  };
+  const Answer usual = version("");
+  if (usual.code != 0) GTEST_SKIP() << "nobody may call the program: " << usual.out;
+  const Answer limited = version("ulimit -u 1;");
+  EXPECT_EQ(limited.code, 0);
+  EXPECT_EQ(limited.out, usual.out);
+}
+
 }  // namespace mpmvv::cli::faults_test
