@@ -94,7 +94,7 @@ TEST(Interruption, IsNotHeldUpByWhoDoesNotRead) {
   const std::string script =
       folder.write("script", "head -c 65536 /dev/zero >&2\n'" + program() + "' cost '" + other + "' --cases '" + cases +
                                  "' &\necho $! > '" + pid + "'\nwait $!\necho $? > '" + (folder / "code") + "'\n");
-  const std::jthread pipe([&] { shell("sh '" + script + "' 2>&1 >/dev/null | sleep 4"); });
+  const std::jthread pipe([&] { shell("sh '" + script + "' 2>&1 >/dev/null | sleep 2"); });
   wait_for([&] { return !read_text(pid).empty(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   kill(std::stoi(read_text(pid)), SIGTERM);
