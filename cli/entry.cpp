@@ -29,7 +29,11 @@ constexpr int usage_error = 2;
 int complain(const std::string& program, const std::string& message) {
   constexpr std::size_t longest = 2000, end = 300;
   std::string text = support::printable(support::with_suggestion(message));
-  if (columns_of(text) > longest) text = cut(text, longest - end) + text.substr(text.size() - end);
+  if (columns_of(text) > longest) {
+    std::size_t tail = text.size() - end;
+    while ((text[tail] & 0xC0) == 0x80) ++tail;  // to where a character begins
+    text = cut(text, longest - end) + text.substr(tail);
+  }
   note("{}: {}\n", program, text);
   return usage_error;
 }

@@ -87,8 +87,8 @@ class ConvergenceTable {
     for (const Series& series : study.series) {
       const bool is_any_measured = std::ranges::any_of(series.points, [&](const Point& p) { return is_measured(p); });
       const bool is_any_sound = std::ranges::count(series.points, records::Status::ok, &Point::status) > 0;
-      const bool is_unstable_throughout = !series.points.empty() && !is_any_sound;
-      if (series.points.size() > longest_shown || !(is_any_measured || is_unstable_throughout)) continue;
+      const bool has_only_failures = !series.points.empty() && !is_any_sound;
+      if (series.points.size() > longest_shown || !(is_any_measured || has_only_failures)) continue;
       series_.push_back(&series);
       for (const Point& point : series.points) levels.insert(point.x);
       for (const ObservedOrder& order : orders_of(series)) {

@@ -90,7 +90,7 @@ Tile claims_tile(const ReportInput& input) {
     if (then->second != claim.verdict)
       changes.push_back(fmt::format("{}: {}, was {}", claim.id, to_string(claim.verdict), to_string(then->second)));
   }
-  tile.change = change_text(changes, compared, judged, "the same studies judge none in both");
+  tile.change = change_text(changes, compared, judged, "none is judged by the same studies in both");
   return tile;
 }
 

@@ -92,6 +92,11 @@ TEST(SolutionCommand, QuotesLittleOfPointsThatAreNone) {
   EXPECT_THAT(words.err, testing::HasSubstr("xxx…xxx"));
   EXPECT_THAT(words.err, testing::EndsWith("xxx)\n")) << "the end stays";
   EXPECT_LT(words.err.size(), 2100U);
+  std::string umlauts_of_a_file;
+  for (int k = 0; k < 5000; ++k) umlauts_of_a_file += "ä";
+  const Answer umlauts = call(folder, solution + folder.write("words", umlauts_of_a_file + "\n1\n"));
+  EXPECT_THAT(umlauts.err, testing::EndsWith("ää)\n"));
+  EXPECT_THAT(umlauts.err, testing::Not(testing::HasSubstr("\\x"))) << "no half of a character";
 }
 
 }  // namespace mpmvv::cli::solution_test
