@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "solver/kernels/add_couplings.hpp"
 #include "solver/simd/doubles.hpp"
 #include "solver/stencils/node_boxes.hpp"
 #include "solver/stencils/node_loop.hpp"
@@ -11,18 +12,6 @@
 namespace mpmvv::solver {
 
 namespace {
-
-/// A block kernel that adds the couplings by a block's particles to the matrix.
-template <int D>
-struct AddCouplings {
-  const Particles<D>& particles;
-  MassMatrix<D>& matrix;
-
-  template <class Shape>
-  void operator()(const Shape& block, const Grid<D>& grid) const {
-    matrix.add_block(block, grid, particles.m);
-  }
-};
 
 template <int D>
 int box_width_of(const AnyBasis& basis) {
@@ -49,12 +38,22 @@ MassMatrix<D>::MassMatrix(const Step<D>& s) {
 }
 
 template <int D>
-bool MassMatrix<D>::assemble(Step<D>& s) {
+void MassMatrix<D>::clear() {
+  if (has_couplings_) std::fill(rows_.begin(), rows_.end(), 0.0);
+  has_couplings_ = false;
   fits_ = true;
+}
+
+template <int D>
+bool MassMatrix<D>::assemble(Step<D>& s) {
+  if (!has_couplings_) {
+    clear();
+    s.sweep({AddCouplings<D>{s.particles(), this}});
+  }
   for (auto& component : u_) std::fill(component.begin(), component.end(), 0.0);
-  s.for_nodes([this](std::size_t n) { std::fill_n(&rows_[(margin_ + n) * row_size_], row_size_, 0.0); });
-  s.sweep({AddCouplings<D>{s.particles(), *this}});
   s.for_nodes([this](std::size_t n) { complete(n); });
+  s.for_nodes([this](std::size_t n) { std::fill_n(row_of(n), row_size_, 0.0); });
+  has_couplings_ = false;
   return fits_;
 }
 
@@ -62,7 +61,7 @@ bool MassMatrix<D>::assemble(Step<D>& s) {
 /// is symmetric: couplings to nodes on earlier lines come from the rows of these.
 template <int D>
 void MassMatrix<D>::complete(std::size_t n) {
-  const double* const row = &rows_[(margin_ + n) * row_size_];
+  const double* const row = row_of(n);
   double* to = &couplings_[n / at_once * at_once * offsets_.size() + n % at_once];
   const auto last = static_cast<std::ptrdiff_t>(offsets_.size() - earlier_) - 1;
   for (std::size_t k = 0; k < earlier_; ++k, to += at_once)
@@ -74,6 +73,7 @@ template <int D>
 template <class Shape>
 void MassMatrix<D>::add_block(const Shape& block, const Grid<D>& grid, const Array<double>& m) {
   constexpr int W = box_width<Shape>;
+  if (!has_couplings_) has_couplings_ = true;
   NodeBoxes<D, W> boxes;
   if (!find_boxes(block, grid, boxes)) {
     fits_ = false;
@@ -135,6 +135,9 @@ void MassMatrix<D>::add_span(std::size_t first, std::size_t end, Field& field) c
   }
 }
 
+template Fault run_kernel<1>(const AddCouplings<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel<2>(const AddCouplings<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel<3>(const AddCouplings<3>&, AnyBlock<3>&, const Grid<3>&);
 template class MassMatrix<1>;
 template class MassMatrix<2>;
 

@@ -26,8 +26,13 @@ class MassMatrix {
 
   explicit MassMatrix(const Step<D>& s);
 
-  /// Assembles the matrix of the particles at their current positions. Returns false, with an incomplete matrix, where
-  /// the domain of a particle reaches more than W nodes along an axis.
+  /// Forgets the couplings added since the last `assemble`. To be called before a sweep adds those of the particles at
+  /// other positions.
+  void clear();
+
+  /// Assembles the matrix of the particles at their current positions, from the couplings that a sweep has added since
+  /// the last call, or else by a sweep. Returns false, with an incomplete matrix, where the domain of a particle
+  /// reaches more than W nodes along an axis.
   bool assemble(Step<D>& s);
 
   /// Adds M u to `field`: φ_i += Σ_j M_ij u_j on the nodes with mass.
@@ -43,15 +48,17 @@ class MassMatrix {
   template <int W>
   void add_particle(const double* N, double m, std::size_t first, const Grid<D>& grid);
   void complete(std::size_t n);
+  double* row_of(std::size_t n) { return &rows_[(margin_ + n) * row_size_]; }
   void add_span(std::size_t first, std::size_t end, Field& field) const;
 
-  std::vector<std::ptrdiff_t> offsets_;  ///< distances in storage, for all displacements
-  std::size_t earlier_;                  ///< how many of `offsets_` lead to earlier lines: none for D = 1
-  std::size_t row_size_;                 ///< couplings in a row, and one more: lines added may reach past the last
-  std::size_t margin_;                   ///< nodes before and after those of the grid, where offsets may lead
-  Array<double> rows_;                   ///< `row_size_` numbers for each node, margin included
-  Array<double> couplings_;              ///< by groups of eight nodes, in these by displacement, then by node
-  std::array<Array<double>, D> u_;       ///< u by component, margin included, zero on nodes without mass
+  std::vector<std::ptrdiff_t> offsets_;     ///< distances in storage, for all displacements
+  std::size_t earlier_;                     ///< how many of `offsets_` lead to earlier lines: none for D = 1
+  std::size_t row_size_;                    ///< couplings in a row, and one more: lines added may reach past the last
+  std::size_t margin_;                      ///< nodes before and after those of the grid, where offsets may lead
+  Array<double> rows_;                      ///< `row_size_` numbers for each node, margin included; zero between uses
+  Array<double> couplings_;                 ///< by groups of eight nodes, in these by displacement, then by node
+  std::array<Array<double>, D> u_;          ///< u by component, margin included, zero on nodes without mass
+  std::atomic<bool> has_couplings_{false};  ///< whether some have been added to the rows
   std::atomic<bool> fits_{true};
 };
 

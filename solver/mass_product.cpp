@@ -35,6 +35,11 @@ MassProduct<D>::MassProduct(const Step<D>& s, int products) {
 }
 
 template <int D>
+MassMatrix<D>* MassProduct<D>::matrix() {
+  return matrix_ ? &*matrix_ : nullptr;
+}
+
+template <int D>
 void MassProduct<D>::prepare(Step<D>& s) {
   if constexpr (may_assemble) {
     if (!matrix_ || assembled_after_ == s.moves()) return;

@@ -22,6 +22,10 @@ class MassProduct {
   /// step may expand or solve more than once with particles where they are is not counted.
   MassProduct(const Step<D>& s, int products);
 
+  /// The matrix, to which a sweep that maps particles may add their couplings, so that `prepare` need not make a sweep
+  /// for them; null where there is none.
+  MassMatrix<D>* matrix();
+
   /// Assembles the matrix, if there is one. To be called before the first call of `add` after particles have moved.
   void prepare(Step<D>& s);
 

@@ -44,6 +44,7 @@ Step<D>::Step(Scene<D> scene)
           [this](const auto& basis) { return Slabs<D>(grid_, basis, particles_.size() / scene_.least_in_slab); },
           scene_.basis)),
       pool_(scene_.threads),
+      orbits_(scene_.images, grid_),
       active_nodes_(grid_.size()),
       integrator_(integrator_named(scene_.integrator)) {
   make_room();
@@ -54,6 +55,7 @@ Step<D>::Step(Scene<D> scene)
   least_mass_ = scene_.mass_cutoff.value_or(mass_cutoff_of(scene_.basis)) * cell_mass;
   sort();
   add_walls();
+  if (needs_whole_orbits()) orbits_.take_all(grid_);
   if (scene_.consistent_mass)
     consistent_mass_ = std::make_unique<ConsistentMass<D>>(*this, *scene_.consistent_mass, cell_mass);
   else if (const int order = expansion_order(scene_.velocity_update); order > 0)

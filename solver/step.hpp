@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/array.hpp"
+#include "solver/boundary/orbits.hpp"
 #include "solver/fault.hpp"
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/parallel/active_nodes.hpp"
@@ -25,6 +26,8 @@ template <int D>
 class ConsistentMass;
 template <int D>
 class ExpandedInverse;
+template <int D>
+class MassMatrix;
 struct Integrator;
 
 /// The operations with which the page of an integrator is written: sweeps over the particles and operations on the
@@ -122,7 +125,8 @@ class Step {
 
   template <class V>
   void clear(Array<V>& field);  ///< sets a field to zero, before particles are mapped to it
-  /// Adds up the values of nodes that images and boundaries identify, after particles have been mapped.
+  /// Adds up the values of nodes that images and boundaries identify, after particles have been mapped; where the scene
+  /// has images, after `sum_momentum_images` for the same positions.
   template <class V>
   void sum_images(Array<V>& field);
   void sum_momentum_images();               ///< `sum_images` of p; then `for_nodes` visits the nodes that have mass now
@@ -144,17 +148,23 @@ class Step {
   void note_waiting(Fault found);
   auto end_waiting(const auto& visit);
   void map(std::initializer_list<AnyKernel<D>> kernels);
+  MassMatrix<D>* matrix_to_fill();
   void map_forces(const auto& mapping, const auto&... before);
   template <template <int, bool> class Update>
   void last_sweep_of(double dt, const auto&... after);
   void add_surface_load();
   void add_grid_body_force();
   void clear_grid();
+  void clear_momentum();
+  bool find_active_nodes();
+  bool needs_whole_orbits() const;
   void divide_by_mass(const auto& field, double least_mass, Field& quotient);
   void set_difference_acceleration(double dt);
   bool holds_lumped() const;
   void hold(Field& velocity);
   VelocityFields<D> velocity_fields(double dt);
+  template <class V>
+  void sum_over_faces(Array<V>& field);
   template <class Visit>
   void for_faces(const Visit& visit);
 
@@ -163,6 +173,7 @@ class Step {
   Grid<D> grid_;
   Slabs<D> slabs_;
   ThreadPool pool_;
+  Orbits<D> orbits_;
   ActiveNodes active_nodes_;
   const Integrator& integrator_;
   std::array<bool, D> periodic_{};
@@ -206,7 +217,13 @@ void Step<D>::clear(Array<V>& field) {
 template <int D>
 template <class V>
 void Step<D>::sum_images(Array<V>& field) {
-  sum_over(scene_.images, grid_, field);
+  sum_over_faces(field);
+  orbits_.sum(field);
+}
+
+template <int D>
+template <class V>
+void Step<D>::sum_over_faces(Array<V>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.sum_images(grid_, face, field); });
 }
 

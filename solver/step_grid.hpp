@@ -8,19 +8,46 @@ namespace mpmvv::solver {
 
 template <int D>
 void Step<D>::clear_grid() {
-  clear(grid_.p);
+  clear_momentum();
   clear(grid_.f);
+}
+
+/// Clears p where the last mapping has left something.
+template <int D>
+void Step<D>::clear_momentum() {
+  for_nodes([p = grid_.p.data()](std::size_t n) { p[n].setZero(); });
 }
 
 template <int D>
 void Step<D>::sum_momentum_images() {
-  sum_images(grid_.p);
-  for_nodes([this](std::size_t n) {
-    if (grid_.m(n) > 0) return;
-    grid_.v[n].setZero();
-    grid_.a[n].setZero();
-  });
-  active_nodes_.find(pool_, [this](std::size_t n) { return grid_.m(n) > 0; });
+  sum_over_faces(grid_.p);
+  if (needs_whole_orbits()) {
+    orbits_.sum(grid_.p);
+    find_active_nodes();
+  } else {
+    if (find_active_nodes())
+      orbits_.take_those_with_mass(grid_, [this](std::size_t n) { return active_nodes_.contain(n); });
+    orbits_.sum(grid_.p);
+  }
+}
+
+/// Finds the nodes that have mass now, and returns whether they are others than before.
+template <int D>
+bool Step<D>::find_active_nodes() {
+  return active_nodes_.find(
+      pool_, [mass_and_momentum = grid_.p.data()](std::size_t n) { return mass_and_momentum[n][D] > 0; },
+      [this](std::size_t n) {
+        grid_.v[n].setZero();
+        grid_.a[n].setZero();
+      });
+}
+
+/// Whether a step needs nodes that only images give mass, not particles. Walls do, which estimate gradients along lines
+/// of nodes, and the consistent mass, whose products of fields take all nodes. Otherwise these nodes are left out:
+/// particles gather nothing from them.
+template <int D>
+bool Step<D>::needs_whole_orbits() const {
+  return scene_.consistent_mass || !walls_.empty();
 }
 
 template <int D>

@@ -1,4 +1,5 @@
 #pragma once
+#include "solver/kernels/add_couplings.hpp"
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/kernels/map_surface_load.hpp"
 #include "solver/kernels/map_to_grid.hpp"
@@ -57,9 +58,22 @@ void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
     note_waiting(in_waiting);
     if (!must_sort_.exchange(false)) return note(in_kernels);
     sort();
-    clear_grid();
+    clear(grid_.p);
+    clear(grid_.f);
+    matrix_to_fill();
   }
   sweep(kernels);
+}
+
+/// Returns the mass matrix, cleared, if a mapping of momenta has to add couplings to it: where the step will multiply
+/// by one. They cost less there than in a sweep of their own, which would evaluate the stencils once more.
+template <int D>
+MassMatrix<D>* Step<D>::matrix_to_fill() {
+  if (!expanded_inverse_ || !expands(scene_.velocity_update, steps_)) return nullptr;
+  MassMatrix<D>* const matrix = expanded_inverse_->product().matrix();
+  if constexpr (D < 3)
+    if (matrix) matrix->clear();
+  return matrix;
 }
 
 template <int D>
@@ -76,7 +90,8 @@ void Step<D>::note_waiting(Fault found) {
 template <int D>
 void Step<D>::map_momentum() {
   clear_grid();
-  map({MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
+  map({MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_},
+       AddCouplings<D>{particles_, matrix_to_fill()}});
   sum_momentum_images();
 }
 
@@ -84,8 +99,9 @@ template <int D>
 void Step<D>::map_momentum_and_forces() {
   clear_grid();
   map_forces(Fused{MapMomentum<D>{particles_, grid_}, MapForces<D>{particles_, grid_}},
-             MapAffineMomentum<D>{particles_, grid_});
+             MapAffineMomentum<D>{particles_, grid_}, AddCouplings<D>{particles_, matrix_to_fill()});
   sum_momentum_images();
+  sum_images(grid_.f);
 }
 
 template <int D>
@@ -93,9 +109,11 @@ void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
   finish_waiting();  // a mapping anew would update F twice
   map_forces(MapForces<D>{particles_, grid_}, EvaluateVelocityGradient<D>{particles_, grid_},
              UpdateDeformation<D>{particles_, deform});
+  sum_images(grid_.f);
 }
 
-/// Maps f by the kernel `mapping`, after the kernels `before` and those of stress and body force.
+/// Maps f by the kernel `mapping`, after the kernels `before` and those of stress and body force. What images add is to
+/// be summed afterwards.
 template <int D>
 void Step<D>::map_forces(const auto& mapping, const auto&... before) {
   BodyForce<D>* const force = scene_.body_force_on == BodyForceOn::particles ? scene_.body_force : nullptr;
@@ -103,7 +121,6 @@ void Step<D>::map_forces(const auto& mapping, const auto&... before) {
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
   map({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, mapping});
   if (scene_.surface_load) add_surface_load();
-  sum_images(grid_.f);
 }
 
 template <int D>
@@ -115,7 +132,7 @@ void Step<D>::add_surface_load() {
 template <int D>
 void Step<D>::update_velocities_and_map_momentum(double dt) {
   const VelocityFields<D> fields = velocity_fields(dt);
-  clear(grid_.p);
+  clear_momentum();
   sweep({UpdateAffineField<D>{particles_, grid_}, UpdateVelocityAndRate<D>{particles_, grid_, fields, dt},
          MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
   sum_momentum_images();

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -13,23 +14,32 @@ namespace mpmvv::solver {
 /// the search for them and the visits, chunk by chunk.
 class ActiveNodes {
  public:
-  explicit ActiveNodes(std::size_t nodes) : nodes_(nodes), spans_(count_chunks(nodes)) {
+  explicit ActiveNodes(std::size_t nodes) : contained_(nodes), spans_(count_chunks(nodes)) {
     for (auto& spans : spans_) spans.reserve(std::min(nodes, chunk) / 2 + 1);
   }
 
-  template <class HasMass>
-  void find(ThreadPool& pool, const HasMass& has_mass) {
-    for_chunks(pool, nodes_, [&](std::size_t begin, std::size_t end) {
-      auto& spans = spans_[begin / chunk];
-      spans.clear();
+  /// Finds the nodes n for which has_mass(n) holds, and calls lose(n) for those that were among them and are no more.
+  /// Returns whether they are others than before.
+  template <class HasMass, class Lose>
+  bool find(ThreadPool& pool, const HasMass& has_mass, const Lose& lose) {
+    std::atomic<bool> others{false};
+    for_chunks(pool, contained_.size(), [this, has_mass, lose, &others](std::size_t begin, std::size_t end) {
+      std::uint8_t* const contained = contained_.data();
+      unsigned differences = 0;
       for (std::size_t n = begin; n < end; ++n) {
-        if (!has_mass(n)) continue;
-        const std::size_t first = n;
-        while (n < end && has_mass(n)) ++n;
-        spans.emplace_back(first, n);
+        const std::uint8_t had = contained[n], has = has_mass(n) ? 1 : 0;
+        if (had > has) lose(n);
+        contained[n] = has;
+        differences |= had ^ has;
       }
+      if (!differences) return;
+      others = true;
+      find_spans(begin, end);
     });
+    return others;
   }
+
+  bool contain(std::size_t n) const { return contained_[n] != 0; }
 
   /// Calls visit(n) for each node with mass.
   template <class Visit>
@@ -48,7 +58,18 @@ class ActiveNodes {
   }
 
  private:
-  std::size_t nodes_;
+  void find_spans(std::size_t begin, std::size_t end) {
+    auto& spans = spans_[begin / chunk];
+    spans.clear();
+    for (std::size_t n = begin; n < end; ++n) {
+      if (!contained_[n]) continue;
+      const std::size_t first = n;
+      while (n < end && contained_[n]) ++n;
+      spans.emplace_back(first, n);
+    }
+  }
+
+  std::vector<std::uint8_t> contained_;  ///< for each node whether it has mass; several threads write, so no bits
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>>
       spans_;  ///< of each chunk its spans: first node, one past the last
 };

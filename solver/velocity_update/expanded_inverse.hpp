@@ -50,6 +50,8 @@ class ExpandedInverse {
     }
   }
 
+  MassProduct<D>& product() { return product_; }
+
  private:
   int order_;
   MassProduct<D> product_;

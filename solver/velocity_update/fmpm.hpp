@@ -16,11 +16,12 @@ struct Fmpm : VelocityUpdate {
   explicit Fmpm(int k = 2, std::int64_t every = 1) : order(k), interval(every) {}
 
   int expansion_order() const { return order; }
-  bool expands_grid_velocity(std::int64_t steps) const { return steps % interval == 0; }
+  bool expands(std::int64_t steps) const { return steps % interval == 0; }
+  bool expands_grid_velocity(std::int64_t steps) const { return expands(steps); }
 
   template <int D>
   VelocityFields<D> prepare(Step<D>& s, double dt) const {
-    if (!expands_grid_velocity(s.steps())) return Flip(FlipPosition::second_order).prepare(s, dt);
+    if (!expands(s.steps())) return Flip(FlipPosition::second_order).prepare(s, dt);
     s.expand_velocity();
     return {.before = 0.5, .after = 0.5};
   }

@@ -35,6 +35,9 @@ inline int expansion_order(const AnyVelocityUpdate& update) {
 inline bool expands_inverse(const AnyVelocityUpdate& update) {
   return expansion_order(update) > 0;
 }
+inline bool expands(const AnyVelocityUpdate& update, std::int64_t steps) {
+  return std::visit([steps](const auto& own) { return own.expands(steps); }, update);
+}
 inline bool expands_grid_velocity(const AnyVelocityUpdate& update, std::int64_t steps) {
   return std::visit([steps](const auto& own) { return own.expands_grid_velocity(steps); }, update);
 }

@@ -14,6 +14,7 @@ struct Xpic : VelocityUpdate {
   explicit Xpic(int k = 2) : order(k) {}
 
   int expansion_order() const { return order; }
+  bool expands(std::int64_t) const { return true; }
 
   /// Overwrites the grid's forces and accelerations, which are no longer needed: f then holds m̃_k⁻¹ p + Δt a, and a
   /// holds v.

@@ -14,15 +14,28 @@ namespace mpmvv::solver::active_nodes_test {
 std::vector<std::size_t> visited(std::size_t nodes, int threads, const auto& has_mass) {
   ThreadPool pool(threads);
   ActiveNodes active(nodes);
-  active.find(pool, [](std::size_t) { return true; });
-  active.find(pool, has_mass);
-  std::vector<std::size_t> found;
   std::mutex mutex;
+  std::vector<std::size_t> lost, found;
+  const auto lose = [&](std::size_t n) {
+    const std::lock_guard lock(mutex);
+    lost.push_back(n);
+  };
+  active.find(
+      pool, [](std::size_t) { return true; }, lose);
+  EXPECT_TRUE(lost.empty());
+  active.find(pool, has_mass, lose);
   active.visit(pool, [&](std::size_t n) {
     const std::lock_guard lock(mutex);
     found.push_back(n);
   });
   std::ranges::sort(found);
+  std::ranges::sort(lost);
+  for (std::size_t n = 0, k = 0, gone = 0; n < nodes; ++n) {
+    EXPECT_EQ(active.contain(n), has_mass(n)) << n;
+    const bool stays = k < found.size() && found[k] == n, goes = gone < lost.size() && lost[gone] == n;
+    EXPECT_NE(stays, goes) << n;
+    k += stays, gone += goes;
+  }
   return found;
 }
 

@@ -1,5 +1,3 @@
-#include "solver/boundary/images.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
@@ -7,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "solver/boundary/orbits.hpp"
 #include "solver/mpm.hpp"
 #include "tests/solver/scenes.hpp"
 
@@ -52,7 +51,9 @@ void expect_sums(Images images, const Index<D>& cells) {
     }
     EXPECT_EQ(next_place(images, grid, i), grid.index(n)) << "the images do not come round";
   }
-  sum_over(images, grid, grid.p);
+  Orbits<D> orbits(images, grid);
+  orbits.take_all(grid);
+  orbits.sum(grid.p);
   for (std::size_t n = 0; n < grid.size(); ++n)
     EXPECT_NEAR((grid.p[n] - sums[n]).template head<D + 1>().norm(), 0, 1e-14) << n;
 }
@@ -67,6 +68,40 @@ TEST(Images, OfEveryNodeAreSummedOnceEach) {
   expect_sums<3>(Images::middle, {7, 3, 2});
 }
 
+/// Particles on one side of a line through the middle reach nodes there alone, and so many beyond it.
+template <int D>
+void expect_the_same_on_nodes_with_mass(Images images, const Index<D>& cells) {
+  Grid<D> grid(Vec<D>::Zero(), 1, cells, 1, 2);
+  fill_at_random(grid);
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const auto i = grid.index(n);
+    grid.p[n][D] += 2;
+    if (3 * i[1] - i[0] < cells[1] - 2) grid.p[n].setZero();
+  }
+  const auto alone = grid.p;
+  Orbits<D> orbits(images, grid);
+  orbits.take_all(grid);
+  auto of_all = alone, of_those_with_mass = alone;
+  orbits.sum(of_all);
+  orbits.take_those_with_mass(grid, [&](std::size_t n) { return grid.m(n) > 0; });
+  orbits.sum(of_those_with_mass);
+  int others = 0;
+  for (std::size_t n = 0; n < grid.size(); ++n) {
+    const bool has_mass = alone[n][D] > 0;
+    EXPECT_EQ(of_those_with_mass[n], has_mass ? of_all[n] : alone[n]) << n;
+    others += has_mass && of_all[n] != alone[n] ? 1 : 0;
+  }
+  EXPECT_GT(others, 0);
+}
+
+TEST(Images, OfNodesWithMassAreSummedAsThoseOfAllNodes) {
+  for (const Images images : kinds)
+    for (const int cells : {6, 7}) {
+      expect_the_same_on_nodes_with_mass<2>(images, {cells, cells});
+      expect_the_same_on_nodes_with_mass<3>(images, {cells, cells, 2});
+    }
+}
+
 TEST(Images, ThatAreNoneLeaveAFieldAsItIs) {
   Grid<1> line(Vec<1>::Zero(), 1, {4}, 1, 2);
   Grid<2> plane(Vec<2>::Zero(), 1, {4, 3}, 1, 2);
@@ -74,8 +109,12 @@ TEST(Images, ThatAreNoneLeaveAFieldAsItIs) {
   fill_at_random(plane);
   const auto p1 = line.p;
   const auto p2 = plane.p;
-  sum_over(Images::none, line, line.p);
-  sum_over(Images::none, plane, plane.p);
+  Orbits<1> of_line(Images::none, line);
+  Orbits<2> of_plane(Images::none, plane);
+  of_line.take_all(line);
+  of_plane.take_all(plane);
+  of_line.sum(line.p);
+  of_plane.sum(plane.p);
   EXPECT_EQ(line.p, p1);
   EXPECT_EQ(plane.p, p2);
 }
