@@ -38,7 +38,8 @@ class Mpm {
   const Particles<D>& particles() const;        ///< sorted by place; `id` is the order of creation; for `thermal`,
                                                 ///< read `thermal_state`
   const Grid<D>& grid() const;                  ///< as `map_acceleration` has left it, or the last step, after which
-                                                ///< the velocity update may keep other fields in f and a
+                                                ///< the velocity update may keep other fields in f and a; nodes
+                                                ///< that images alone give mass may have none
   const std::array<bool, D>& periodic() const;  ///< whether each axis is periodic
   double time() const;                          ///< s
   std::int64_t steps() const;                   ///< number of finished steps

@@ -186,6 +186,7 @@ class Step {
   std::int64_t steps_ = 0;
   std::int64_t moves_ = 0;
   bool has_expanded_velocity_ = false;
+  bool has_mapped_ = false;  ///< whether momenta were mapped since `active_nodes_` were found
   WaitingSweep<D> waiting_;
   std::int64_t waiting_since_ = 0;  ///< `steps_` when the sweep that waits was asked for
   std::atomic<bool> must_sort_{false};

@@ -12,10 +12,15 @@ void Step<D>::clear_grid() {
   clear(grid_.f);
 }
 
-/// Clears p where the last mapping has left something.
+/// Clears p where particles have been mapped to: on the nodes with mass, or everywhere if these have not been found
+/// since.
 template <int D>
 void Step<D>::clear_momentum() {
-  for_nodes([p = grid_.p.data()](std::size_t n) { p[n].setZero(); });
+  if (has_mapped_)
+    clear(grid_.p);
+  else
+    for_nodes([p = grid_.p.data()](std::size_t n) { p[n].setZero(); });
+  has_mapped_ = true;
 }
 
 template <int D>
@@ -34,6 +39,7 @@ void Step<D>::sum_momentum_images() {
 /// Finds the nodes that have mass now, and returns whether they are others than before.
 template <int D>
 bool Step<D>::find_active_nodes() {
+  has_mapped_ = false;
   return active_nodes_.find(
       pool_, [mass_and_momentum = grid_.p.data()](std::size_t n) { return mass_and_momentum[n][D] > 0; },
       [this](std::size_t n) {
@@ -42,12 +48,13 @@ bool Step<D>::find_active_nodes() {
       });
 }
 
-/// Whether a step needs nodes that only images give mass, not particles. Walls do, which estimate gradients along lines
-/// of nodes, and the consistent mass, whose products of fields take all nodes. Otherwise these nodes are left out:
-/// particles gather nothing from them.
+/// Whether a step needs nodes that only images give mass, not particles: for walls, which estimate gradients along
+/// lines of nodes, planes of symmetry, which copy from nodes inside to ghosts, and the consistent mass, whose products
+/// of fields take all nodes. Otherwise these nodes are left out, as particles gather nothing from them.
 template <int D>
 bool Step<D>::needs_whole_orbits() const {
-  return scene_.consistent_mass || !walls_.empty();
+  const auto is_symmetry = [](const AnyBoundary& face) { return std::holds_alternative<Symmetry>(face); };
+  return scene_.consistent_mass || !walls_.empty() || std::ranges::any_of(scene_.boundary, is_symmetry);
 }
 
 template <int D>

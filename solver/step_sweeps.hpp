@@ -58,8 +58,7 @@ void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
     note_waiting(in_waiting);
     if (!must_sort_.exchange(false)) return note(in_kernels);
     sort();
-    clear(grid_.p);
-    clear(grid_.f);
+    clear_grid();
     matrix_to_fill();
   }
   sweep(kernels);

@@ -65,4 +65,17 @@ TEST(BodyForce, ThatThrowsLeavesParticlesWhereTheLastStepHasMovedThem) {
   EXPECT_EQ(mpm.particles().x, sound.particles().x);
 }
 
+TEST(BodyForce, ThatThrowsLeavesNothingOnNodes) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 100, 4, Free{});
+  Throwing force;
+  scene.body_force = &force;
+  Mpm<1> mpm(scene);
+  const double dt = 0.1 * scene.h / 120;
+  EXPECT_THROW(mpm.step(dt), std::domain_error);  // after the first of several blocks has been mapped
+  ASSERT_TRUE(mpm.step(dt)) << mpm.fault();
+  double mass = 0;
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n) mass += mpm.grid().m(n);
+  EXPECT_NEAR(mass, mpm.mass(), 1e-13);
+}
+
 }  // namespace mpmvv::solver::body_force_test
