@@ -187,7 +187,10 @@ int figure(const FigureOptions& options) {
   require_open_height(charts, options);
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
-    for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+    for (const fs::path& part : reports::picture_files(file, sheet.format)) {
+      require_apart("--out", part, {options.db});
+      require_writable_at_once("--out", part);
+    }
   std::vector<std::string> without_room;
   for (const Chart& chart : charts)
     if (!reports::has_room(chart, sheet)) without_room.push_back(lack_of_room(chart, sheet, options));

@@ -54,17 +54,6 @@ bool is_open(const fs::path& pipe) {
   return false;
 }
 
-/// A named pipe would let the program wait, perhaps for ever, until somebody reads it.
-void require_writable_at_once(const std::string& option, const fs::path& file) {
-  std::error_code unknown;
-  const fs::file_status status = fs::status(file, unknown);
-  const bool is_taken = !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status) ||
-                        fs::is_character_file(status) || (fs::is_fifo(status) && is_open(file));
-  if (!is_taken)
-    throw support::UsageError(
-        fmt::format("{} {} is a pipe, a socket or a disk (a file, or /dev/stdout)", option, file.string()));
-}
-
 /// The first bytes of a file, at most so many. Nothing of what is no file: a terminal would wait for somebody to type.
 std::string beginning_of(const fs::path& file, std::size_t bytes) {
   if (std::error_code unknown; !fs::is_regular_file(file, unknown)) return "";
@@ -90,6 +79,16 @@ void require_apart(const std::string& option, const fs::path& output, const std:
   if (whole(output) == whole(other_output) || fs::equivalent(output, other_output, absent))
     throw support::UsageError(
         fmt::format("{} and {} both write '{}' (a file each)", option, other_option, other_output.string()));
+}
+
+void require_writable_at_once(const std::string& option, const fs::path& file) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(file, unknown);
+  const bool is_taken = !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status) ||
+                        fs::is_character_file(status) || (fs::is_fifo(status) && is_open(file));
+  if (!is_taken)
+    throw support::UsageError(
+        fmt::format("{} {} is a pipe, a socket or a disk (a file, or /dev/stdout)", option, file.string()));
 }
 
 void write_output(const std::string& option, const fs::path& file, const std::string& text) {

@@ -71,6 +71,13 @@ TEST_F(Figure, AFolderForDrawingThatIsNoneIsNamedWithItsVariable) {
               StartsWith("mpmvv: TMP is '/nonexist'"));
 }
 
+TEST_F(Figure, IsDrawnIntoNoPipeThatNobodyMayRead) {
+  ASSERT_EQ(shell("mkfifo '" + (folder_ / "small.svg") + "'").code, 0);
+  const Answer answer = call(folder_, "figure small --db r.db --format svg", there_ + "timeout 20 ");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.err, "mpmvv: --out small.svg is a pipe, a socket or a disk (a file, or /dev/stdout)\n");
+}
+
 TEST_F(Figure, TheFilesEndingSaysItsFormat) {
   EXPECT_EQ(draw("small --out made/by-hand.svg --width 8.4cm").out, "made/by-hand.svg\n");
   EXPECT_THAT(read_text(folder_ / "made/by-hand.svg"), HasSubstr("</svg>"));
