@@ -34,8 +34,9 @@ struct VelocityUpdate {
   static constexpr bool has_affine_field = false;       ///< particles carry the gradient of an affine velocity field
   /// Whether it goes with integrators that have whole steps alone (`Integrator::has_whole_steps`).
   bool needs_whole_steps() const { return true; }
-  int expansion_order() const { return 0; }           ///< number of terms of the expanded inverse; 0: it takes none
-  bool expands(std::int64_t) const { return false; }  ///< whether the step after so many finished ones applies it
+  int expansion_order() const { return 0; }  ///< number of terms of the expanded inverse; 0: it takes none
+  /// Whether the step after this number of finished ones applies the expanded inverse.
+  bool expands(std::int64_t) const { return false; }
   /// Whether that step expands the grid velocity itself, also for the stress updates.
   bool expands_grid_velocity(std::int64_t) const { return false; }
 };
