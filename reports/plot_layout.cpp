@@ -110,6 +110,12 @@ void set_sides(Layout& layout, const Chart& chart) {
   layout.right = 1.2 * font + (labelled ? digit_width * font * static_cast<double>(chart.right_margin) : 0);
 }
 
+/// The height of axes on which a unit is as long upwards as across, with their labels and titles.
+double height_to_scale(const Layout& layout, const Chart& chart) {
+  const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);
+  return shape * (layout.page.width - layout.left - layout.right) + layout.label_room() + layout.top;
+}
+
 }  // namespace
 
 double Layout::key_height() const {
@@ -135,6 +141,10 @@ double Layout::x_label_at(std::size_t line) const {
 
 double Layout::y_label_at(std::size_t line) const {
   return (0.9 + line_height * static_cast<double>(line)) * page.font / page.width;
+}
+
+double Layout::title_above_axes(std::size_t lines_below) const {
+  return (0.9 + line_height * static_cast<double>(lines_below)) * page.font / height();
 }
 
 double Layout::shades_label_at() const {
@@ -169,6 +179,11 @@ Layout report_layout(const Chart& chart) {
   layout.x_label = lines_of(chart.x.label, layout.page.font, 0.8 * layout.page.width);
   layout.y_label = y_label_lines(chart, layout);
   set_key(layout, chart);
+  if (chart.to_scale && !chart.labels.empty()) {
+    set_sides(layout, chart);
+    set_titles(layout, chart);
+    layout.page.height = std::min(layout.page.height + layout.top, height_to_scale(layout, chart));
+  }
   return layout;
 }
 
@@ -188,8 +203,7 @@ Layout paper_layout(const Chart& chart, double width, double font, double height
   }
   if (chart.to_scale) {
     set_titles(layout, chart);
-    const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);
-    layout.page.height = shape * (width - layout.left - layout.right) + layout.label_room() + layout.top;
+    layout.page.height = height_to_scale(layout, chart);
   }
   return layout;
 }

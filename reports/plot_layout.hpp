@@ -44,6 +44,7 @@ struct Layout {
   double label_room() const;  ///< below the axes, in points: tics, label and a gap
   double x_label_at(std::size_t line) const;
   double y_label_at(std::size_t line) const;
+  double title_above_axes(std::size_t lines_below) const;
   double shades_label_at() const;     ///< across, of the scale of colours
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
 

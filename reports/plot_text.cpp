@@ -87,14 +87,14 @@ std::string paper_shades(const Chart& chart, const Layout& layout, Notation text
                   quoted(chart.shades.value_or(Axis{}).label, texts), layout.shades_label_at(), reading(texts)));
 }
 
-/// Titles of panels, whose lines end where a title of one line stands.
+/// Titles of panels, whose last lines stand on one line.
 std::string titles_text(const Chart& chart, const Layout& layout, Notation texts) {
   std::string text;
   for (std::size_t k = 0; k < layout.titles.size(); ++k)
     for (std::size_t line = 0; line < layout.titles[k].size(); ++line)
-      text += fmt::format("set label {} at {},{} center offset 0,{} front {}\n", quoted(layout.titles[k][line], texts),
-                          plot_number(chart.labels[k].at.x), plot_number(chart.labels[k].at.y),
-                          layout.titles[k].size() - 1 - line, reading(texts));
+      text += fmt::format("set label {} at {},graph 1 center offset 0,screen {:.5f} front {}\n",
+                          quoted(layout.titles[k][line], texts), plot_number(chart.labels[k].at.x),
+                          layout.title_above_axes(layout.titles[k].size() - 1 - line), reading(texts));
   return text;
 }
 
@@ -122,6 +122,8 @@ std::string report_axes(const Chart& chart, const Layout& layout) {
   if (layout.key_rows > 0)
     text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", layout.axes_bottom(),
                         layout.axes_top());
+  else if (!layout.titles.empty())
+    text += fmt::format("set tmargin at screen {:.5f}\n", layout.axes_top());
   text += fmt::format("set rmargin {}\n", chart.right_margin);
   text += fmt::format("set xlabel {} noenhanced\n", in_lines(layout.x_label));
   // gnuplot sets the lines beyond the second on the tics' texts.

@@ -200,6 +200,18 @@ TEST(PaperFigure, TitlesOfPanelsAreBroken) {
   EXPECT_FALSE(paper_layout(chart, 300, 8).has_room());
 }
 
+TEST(PaperFigure, TitlesOfPanelsAreBrokenInAReportToo) {
+  Chart chart = chart_of(distinct::particles());
+  const Layout one = report_layout(chart);
+  chart.labels[0].text = "a body that is at rest and keeps as still as a body can keep, with " + chart.labels[0].text;
+  const Layout more = report_layout(chart);
+  ASSERT_GT(more.titles[0].size(), 1U);
+  EXPECT_GT(more.title_above_axes(1), more.title_above_axes(0));
+  EXPECT_LT(more.axes_top() + more.title_above_axes(more.titles[0].size() - 1), 1);
+  EXPECT_NEAR((more.axes_top() - more.axes_bottom()) * more.height(),
+              (one.axes_top() - one.axes_bottom()) * one.height(), 1e-9);
+}
+
 TEST(PaperFigure, LettersAreMeasuredByTheSheet) {
   EXPECT_DOUBLE_EQ(letter_on(Sheet{}), paper_letter);
   EXPECT_DOUBLE_EQ(letter_on(sheet(Format::pdf, 168)), paper_letter / 2);

@@ -71,10 +71,10 @@ Scene<D> whole(const Scene<D>& part) {
   Mat<D> Q;
   for (int d = 0; d < D; ++d) Q.col(d) = next_image(part.images, Vec<D>(Vec<D>::Unit(d)));
   all.resize(images * n);
-  for (auto* field : {&all.l, &all.l0})
-    if (!field->empty()) field->resize(images * n, field->front());
-  for (auto* field : {&all.R, &all.R0})
-    if (!field->empty()) field->resize(images * n, field->front());
+  const auto fill_up = [&](auto& field) {
+    if (!field.empty()) field.resize(images * n, field.front());
+  };
+  fill_up(all.l), fill_up(all.l0), fill_up(all.R), fill_up(all.R0);
   for (std::size_t p = n; p < all.size(); ++p) {
     all.x[p] = Q * all.x[p - n];
     all.v[p] = Q * all.v[p - n];
