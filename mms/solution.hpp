@@ -53,8 +53,8 @@ class ManufacturedSolution {
 
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
-  /// Returns this solution at many fixed points. Solutions override it that compute once what points share, or evaluate
-  /// points in lanes.
+  /// Returns this solution at many fixed points; this solution must outlive what is returned. Solutions override it
+  /// that compute once what points share, or evaluate points in lanes.
   virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
   /// Returns the fields as expressions; empty where there is no closed form.

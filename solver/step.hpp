@@ -78,7 +78,7 @@ class Step {
   // the wall method is `velocity`, v_i and a_i are not constrained here.
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
   void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.3, task 5
-  void restore_velocity();           ///< v_i = p_i / m_i again, where the stress took another v_i: `fmpm`, walls
+  void restore_velocity();           ///< v_i = p_i / m_i again, where F followed another v_i (see step_grid.hpp)
   void set_acceleration();           ///< a_i = f_i / m_i, constrained unless S (30) will set it   S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 

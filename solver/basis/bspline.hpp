@@ -6,7 +6,7 @@
 namespace mpmvv::solver {
 
 /// Evaluates the three quadratic B-splines that do not vanish on a knot span, and their slopes, at t in [0, 1] from the
-/// left knot: S (21), seen from the middle one of the three nodes.
+/// left knot: S (21), with the middle one of the three nodes at t = 1/2 and the others at t = -1/2 and 3/2.
 inline void quadratic_pieces(double t, double* N, double* dN) {
   N[0] = 0.5 * (1 - t) * (1 - t);
   N[1] = 0.75 - (t - 0.5) * (t - 0.5);

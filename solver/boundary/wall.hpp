@@ -13,7 +13,7 @@ namespace mpmvv::solver {
 enum class WallGradient {
   zero,
   given,     ///< given by the motion
-  estimated  ///< from the particles, N (4)
+  estimated  ///< from velocities of nodes at the wall, N (4)
 };
 
 /// A face from which a wall moves through the grid, N §2.5. The nodes that it holds change with time, so the face

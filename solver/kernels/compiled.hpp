@@ -11,8 +11,9 @@
 
 namespace mpmvv::solver {
 
-/// The kernels that several files run, compiled once for all of them. Each D has a file that instantiates them, because
-/// those in space are compiled for more registers where the processor has them (cmake/Flags.cmake).
+/// All kernels but AddCouplings (mass_matrix.cpp), compiled once for all files that run them. Each D has a file that
+/// instantiates them, because those in space are compiled for more registers where the processor has them
+/// (cmake/Flags.cmake).
 template <int D>
 struct Compiled {
   static constexpr std::tuple kernels{&run_kernel<D, MapMomentum<D>>,

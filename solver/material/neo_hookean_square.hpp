@@ -23,7 +23,7 @@ struct NeoHookeanSquare {
     return neo_hookean_stress(F, mu, Scalar(0.5 * lambda * (J * J - 1) - mu));
   }
 
-  /// Strain energy per reference volume, λ/2 ((J² - 1)/2 - ln J) + G/2 (I₁ - 3 - 2 ln J).
+  /// Strain energy per reference volume, λ/2 ((J² - 1)/2 - ln J) + G/2 (F : F - D - 2 ln J).
   template <int D>
   double energy(const Mat<D>& F) const {
     const double J = F.determinant(), log_J = std::log(J);

@@ -23,7 +23,7 @@ struct CpdiBlock : Block<D> {
 
   int node[corners][D][most];              ///< index along each axis of the first node that a corner reaches
   int first[corners][most];                ///< storage index of that node
-  double S[corners][D][K][most];           ///< weights S_i(x_c), per axis
+  double S[corners][D][K][most];           ///< weights N_i(x_c), per axis
   PaddedMat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, set if a kernel of the sweep uses gradients
 
   /// Returns the stencil of the k-th particle.

@@ -5,11 +5,11 @@ namespace mpmvv::solver {
 
 /// The nodes of a particle whose domain is a parallelepiped with the columns of R as edges, by convected particle
 /// domain interpolation: Sadeghirad, Brannon and Burghardt, Int. J. Numer. Meth. Engng 86 (2011) 1435, N §2.1. In the
-/// domain each grid function S_i is replaced by the multilinear interpolant of its values at the corners,
+/// domain each grid function N_i is replaced by the multilinear interpolant of its values at the corners,
 ///   x_c = x_p + R s_c/2, s_c in {-1, 1}^D.
 /// The particle takes the mean of the interpolant, and the mean of its gradient,
-///   N_ip = 2^-D Σ_c S_i(x_c),   ∇N_ip = 2^(1-D) R^-T Σ_c s_c S_i(x_c).
-/// As the S_i add up to one and are exact on linear fields, Σ_i N_ip = 1, Σ_i ∇N_ip = 0, and both are exact on linear
+///   N_ip = 2^-D Σ_c N_i(x_c),   ∇N_ip = 2^(1-D) R^-T Σ_c s_c N_i(x_c).
+/// As the N_i add up to one and are exact on linear fields, Σ_i N_ip = 1, Σ_i ∇N_ip = 0, and both are exact on linear
 /// fields. ∇N is not the derivative of N. Nodes are visited corner by corner. If the nodes of all corners are put
 /// together, each with its N_ip and ∇N_ip, visiting them takes 0.7 of the time, but finding them takes longer than that
 /// saves.
@@ -20,8 +20,8 @@ struct CpdiStencil {
   /// Returns component d of s_c.
   static constexpr int sign(int c, int d) { return (c >> d & 1) != 0 ? 1 : -1; }
 
-  std::array<Weights<D, K>, corners> at;  ///< the nodes of each corner, with S_i(x_c)
-  PaddedMat<D> slope;                     ///< 2^(1-D) R^-T, per length, by columns: ∇N_ip = slope Σ_c s_c S_i(x_c)
+  std::array<Weights<D, K>, corners> at;  ///< the nodes of each corner, with N_i(x_c)
+  PaddedMat<D> slope;                     ///< 2^(1-D) R^-T, per length, by columns: ∇N_ip = slope Σ_c s_c N_i(x_c)
 
   /// Returns Σ_i N_ip φ_i.
   template <class V>

@@ -6,7 +6,8 @@
 namespace mpmvv::solver {
 
 /// v⁺ = m̃_k⁻¹ p⁺, V' = S v⁺, X' = X + Δt (V + V')/2, N table 1. Grid velocities come from the expanded inverse, also
-/// those of the stress updates. With the consistent mass nothing is expanded: v⁺ is already the limit k -> infinity.
+/// those of the stress updates. With the consistent mass nothing is expanded: v⁺ = M̂⁻¹ p⁺ is near the limit
+/// k -> infinity, which M⁻¹ p⁺ would be.
 struct Fmpm : VelocityUpdate {
   static constexpr std::string_view word = "fmpm";
   static constexpr bool takes_consistent_mass = true;
