@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "cli/completion.hpp"
 
 namespace mpmvv::cli {
@@ -47,9 +49,11 @@ std::string word_cases(const CommandText& program) {
   for_each_command(program, [&](const CommandText& command) {
     std::vector<std::string> names;
     for (const CommandText& inner : command.commands) names.push_back(inner.name);
-    std::string actions = names.empty() ? "" : fmt::format("words='{}'", fmt::join(names, " "));
-    for (const ArgumentText& positional : command.positionals) actions += action_of(positional);
-    cases += fmt::format("    '{}') options='{}' {} ;;\n", command.path, fmt::join(flags_of(command), " "), actions);
+    std::set<std::string> actions;
+    if (!names.empty()) actions.insert(fmt::format("words='{}'", fmt::join(names, " ")));
+    for (const ArgumentText& positional : command.positionals) actions.insert(action_of(positional));
+    cases += fmt::format("    '{}') options='{}' {} ;;\n", command.path, fmt::join(flags_of(command), " "),
+                         fmt::join(actions, " "));
   });
   return cases;
 }

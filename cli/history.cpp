@@ -120,9 +120,9 @@ struct TrendOptions {
   bool json = false;
 };
 
-/// Whether one of its numbers has a remark.
-bool is_marked(const Trend& trend) {
-  for (std::size_t v = 0; v < trend.numbers.size(); ++v)
+/// Whether one of its numbers from this version on has a remark.
+bool is_marked(const Trend& trend, std::size_t first) {
+  for (std::size_t v = first; v < trend.numbers.size(); ++v)
     if (!std::isnan(trend.numbers[v]) && !trend.remarks[v].empty()) return true;
   return false;
 }
@@ -179,7 +179,7 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
   }
   numbered.print();
   table.print();
-  if (std::ranges::any_of(trends, [](const Trend& trend) { return is_marked(trend); }))
+  if (std::ranges::any_of(trends, [&](const Trend& trend) { return is_marked(trend, first); }))
     print_indented("* of runs that are not all ok: some are unstable or failed", 0);
   if (first > 0) print_indented(fmt::format("versions 1 to {} find no room in this width: --json has all", first), 0);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "studies/support/error.hpp"
@@ -24,9 +25,12 @@ double length_of(const std::string& option, const std::string& text, double leas
     throw support::UsageError(
         fmt::format("{} '{}' is no length (a number and its unit: 84mm, 8.4cm, 3.3in, 8pt)", option, text));
   const double length = number * known->second;
-  if (!(length >= least && length <= most))
-    throw support::UsageError(fmt::format("{} {} ({:.3g}{unit} to {:.3g}{unit})", option, text, least / known->second,
-                                          most / known->second, fmt::arg("unit", known->first)));
+  if (!(length >= least && length <= most)) {
+    constexpr double parts = 100;  // two decimals, rounded to lengths that are taken
+    throw support::UsageError(
+        fmt::format("{} {} ({:g}{unit} to {:g}{unit})", option, text, std::ceil(least / known->second * parts) / parts,
+                    std::floor(most / known->second * parts) / parts, fmt::arg("unit", known->first)));
+  }
   return length;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/lines.hpp"
 #include "cli/markdown.hpp"
 #include "cli/problem_list.hpp"
 #include "cli/study_list.hpp"
@@ -119,7 +120,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
   if (json)
     print_json(all);
   else if (what.empty())
-    table.print_apart();
+    table.print_apart(), print_indented("further lists: mpmvv list studies, codes, dialects or study-file", 0);
   else
     table.print();
   return 0;

@@ -30,10 +30,6 @@ std::string half_width_text(double half_width) {
   return half_width == 0 ? "-" : formatted("± {:.2g}", half_width);
 }
 
-std::string window_text(double from, double to) {
-  return fmt::format("{:g} to {:g}", from, to);
-}
-
 std::string count_text(std::size_t n, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
 }

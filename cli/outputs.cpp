@@ -64,6 +64,15 @@ std::string beginning_of(const fs::path& file, std::size_t bytes) {
   return begin;
 }
 
+/// How many bytes at the beginning of a text tell its kind: in XML those up to the name of the root, else those of a
+/// table's first columns.
+std::size_t telling_bytes(const std::string& text) {
+  constexpr std::size_t of_table = 5;
+  if (!text.starts_with("<?xml")) return of_table;
+  const std::size_t root = text.find('<', text.find("?>"));
+  return std::min(text.find_first_of(" >", root), text.size());
+}
+
 }  // namespace
 
 void require_apart(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
@@ -92,9 +101,8 @@ void require_writable_at_once(const std::string& option, const fs::path& file) {
 }
 
 void write_output(const std::string& option, const fs::path& file, const std::string& text) {
-  constexpr std::size_t telling = 5;  // "<?xml", or a table's first columns
   require_writable_at_once(option, file);
-  const std::string begin = beginning_of(file, telling);
+  const std::string begin = beginning_of(file, telling_bytes(text));
   if (!begin.empty() && !text.starts_with(begin))
     throw support::UsageError(fmt::format(
         "{} {} is there, and is not what this command writes (another name, or remove it)", option, file.string()));

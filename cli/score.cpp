@@ -163,16 +163,20 @@ void add_score(CLI::App& app, int& exit_code) {
   command->add_option("--start", options->start, "the particles at time zero, where the end has no ids of the case")
       ->type_name("FILE");
   command
-      ->add_option("--format", options->format,
-                   fmt::format("of the files: {} (default: by name)", fmt::join(format_words(), ", ")))
+      ->add_option(
+          "--format", options->format,
+          fmt::format("of the files: {} (default: by name, else the adapter's)", fmt::join(format_words(), ", ")))
       ->type_name(word_of(format_words()));
   command->add_option("--columns", options->columns, "which columns hold what, by name or number")
       ->type_name("id=NAME,x=NAME,...");
   command->add_option("--step", options->step, "which one, of a dump with several (default: the last)")
       ->type_name("NUMBER");
-  command->add_option("--length-unit", options->length, "of the files, in m (default: 1)")->type_name("NUMBER");
-  command->add_option("--time-unit", options->time, "of the files, in s (default: 1)")->type_name("NUMBER");
-  command->add_option("--mass-unit", options->mass, "of the files, in kg (default: 1)")->type_name("NUMBER");
+  command->add_option("--length-unit", options->length, "of the files, in m (default: the adapter's, else 1)")
+      ->type_name("NUMBER");
+  command->add_option("--time-unit", options->time, "of the files, in s (default: the adapter's, else 1)")
+      ->type_name("NUMBER");
+  command->add_option("--mass-unit", options->mass, "of the files, in kg (default: the adapter's, else 1)")
+      ->type_name("NUMBER");
   command->add_option("--thickness", options->thickness, "of a plane body: its masses are divided by it (default: 1)")
       ->type_name("METRES");
   command->add_option("--db", options->db, "keep the record in this store: a study takes it in place of a run")

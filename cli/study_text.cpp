@@ -31,8 +31,9 @@ void print_orders(const records::StudyResult& study) {
                {"asymptotic"}});
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
-      table.add({series.name, order.norm, window_text(order.from, order.to), claims::points_text(series, order),
-                 order_text(order.order), half_width_text(fits::half_width(order)), fits::asymptotic_word(order)});
+      table.add({series.name, order.norm, reports::window_text(order.from, order.to),
+                 claims::points_text(series, order), order_text(order.order), half_width_text(fits::half_width(order)),
+                 fits::asymptotic_word(order)});
   table.print_apart();
 }
 
@@ -79,8 +80,9 @@ void print_extrapolations(const records::StudyResult& study) {
                {"GCI", Kind::number}});
   for (const Series& series : study.series)
     for (const fits::Extrapolation& e : series.extrapolations)
-      table.add({series.name, e.norm, window_text(e.from, e.to), e.model, order_text(e.order), number_text(e.limit),
-                 number_text(e.finest), half_width_text(e.uncertainty), number_text(e.convergence_index)});
+      table.add({series.name, e.norm, reports::window_text(e.from, e.to), e.model, order_text(e.order),
+                 number_text(e.limit), number_text(e.finest), half_width_text(e.uncertainty),
+                 number_text(e.convergence_index)});
   table.print_apart();
 }
 

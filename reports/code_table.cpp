@@ -29,7 +29,7 @@ bool is_about(const ClaimPart& part, const std::string& series) {
 
 std::string order_and_window(const records::Series& series, const fits::ObservedOrder& o) {
   const std::string without = claims::left_out(series, o.norm);
-  return fmt::format("{} in {}, {} to {}{}", order_text(o), o.norm, brief(o.from), brief(o.to),
+  return fmt::format("{} in {}, {}{}", order_text(o), o.norm, window_text(o.from, o.to),
                      without.empty() ? "" : " without " + without);
 }
 

@@ -71,7 +71,7 @@ std::size_t lines_beyond_a_few(const std::string& caption) {
 using Window = std::pair<double, double>;
 
 std::string name_of(const Window& window) {
-  return fmt::format("{} to {}", brief(window.first), brief(window.second));
+  return window_text(window.first, window.second);
 }
 
 bool takes_all(const Series& series, const ObservedOrder& order) {

@@ -94,7 +94,8 @@ Tile claims_tile(const ReportInput& input) {
   return tile;
 }
 
-/// ns per particle and step, of all cases that were timed alone; neither of trials nor of other codes.
+/// ns per particle and step of each series that was timed alone, at its finest level; neither of trials nor of other
+/// codes.
 std::vector<double> costs_of(const ReportInput& input) {
   std::vector<double> costs;
   for (records::StudyResult study : input.studies) {

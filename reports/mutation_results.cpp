@@ -54,7 +54,6 @@ RandomScore random_from(const json& all) {
 MutationResults results_from(const json& all) {
   MutationResults results{.digest = all.at("digest"),
                           .commit = all.at("commit"),
-                          .seeds = all.at("seeds"),
                           .planted = planted_from(all.at("planted")),
                           .random = random_from(all.at("random"))};
   if (const json& passes = all.at("unchanged_passes"); !passes.is_null()) results.unchanged_passes = passes.get<bool>();

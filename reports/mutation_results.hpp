@@ -48,7 +48,6 @@ struct RandomScore {
 struct MutationResults {
   std::string digest;  ///< of the release program of the sources that were tried, see `Provenance`
   std::string commit;
-  std::vector<std::uint64_t> seeds = {};  ///< of the random draws
   PlantedScore planted;
   RandomScore random;
   std::optional<bool> unchanged_passes =

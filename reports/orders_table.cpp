@@ -16,8 +16,7 @@ Table::Rows orders_of(const records::StudyResult& study) {
   Table::Rows rows;
   for (const auto& series : study.series)
     for (const auto& o : series.orders)
-      rows.push_back({series.name, o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
-                      claims::points_text(series, o), order_text(o),
+      rows.push_back({series.name, o.norm, window_text(o.from, o.to), claims::points_text(series, o), order_text(o),
                       o.floor && o.floor->accepted ? brief(o.floor->floor) : "–", fits::asymptotic_word(o)});
   return rows;
 }
@@ -30,9 +29,8 @@ Table::Rows extrapolated(const records::StudyResult& study) {
   Table::Rows rows;
   for (const auto& series : study.series)
     for (const auto& e : series.extrapolations)
-      rows.push_back({series.name, e.norm, fmt::format("{} to {}", brief(e.from), brief(e.to)),
-                      claims::extrapolated_to(study.sweep), three_digit_number(e.limit), three_digit_number(e.finest),
-                      three_digit_number(e.uncertainty)});
+      rows.push_back({series.name, e.norm, window_text(e.from, e.to), claims::extrapolated_to(study.sweep),
+                      three_digit_number(e.limit), three_digit_number(e.finest), three_digit_number(e.uncertainty)});
   return rows;
 }
 

@@ -130,9 +130,10 @@ void close_no_section(const fs::path& svg) {
   support::write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
 }
 
-/// Escapes tildes in names of files: for LaTeX a tilde is a space.
+/// Escapes tildes in the name of the picture that a text takes in: for LaTeX a tilde is a space.
 void keep_tildes(const fs::path& tex) {
-  support::write_if_changed(tex, replace_all(read_file(tex).value_or(""), "~", "\\string~"));
+  const std::string name = "{" + tex.stem().string() + "}";
+  support::write_if_changed(tex, replace_all(read_file(tex).value_or(""), name, replace_all(name, "~", "\\string~")));
 }
 
 void mend(const fs::path& picture) {

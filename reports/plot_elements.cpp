@@ -137,8 +137,8 @@ class Elements {
 
 /// A text for gnuplot, in double quotes. Characters with a meaning in double or in single quotes are written as octal
 /// codes. (In single quotes two of them mean one, but not at the text's beginning nor beside others.) Before a bracket
-/// at the beginning of LaTeX stands a command that does nothing: gnuplot would take the bracket, or a brace, for the
-/// text's alignment.
+/// at the beginning of LaTeX stands a command that does nothing: gnuplot would take the bracket for the text's
+/// alignment.
 std::string quoted(const std::string& text, Notation notation) {
   std::string set = typeset(one_line(text), notation);
   if (notation == Notation::latex && set.starts_with('[')) set.insert(0, "\\relax");

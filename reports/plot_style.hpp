@@ -23,7 +23,7 @@ std::string colour_of(const Style& style, double whiteness = 0);
 /// lightness to any colour vision and in grey.
 std::string shade_stops();
 
-/// "dt (8,4)".
+/// "dt (9,4)".
 std::string dash_of(const Style& style);
 
 }  // namespace mpmvv::reports

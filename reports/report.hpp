@@ -94,10 +94,11 @@ struct ReportSummary {
 /// Writes OUT/index.html and what it leads to: gate.html, a page for each study in OUT/studies/ and for each claim in
 /// OUT/claims/, and where there is something to show benchmark.html, codes.html, mutants.html and trend.html;
 /// OUT/figures/ NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*,
-/// OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex, program/codes.tex
-/// and program/mutants.tex. Nothing comes from outside OUT, and only links to the sources of published costs lead
-/// there. What an earlier report wrote in OUT and this one does not is removed. Throws UsageError, and leaves OUT as it
-/// was, when a file cannot be written, is no report's, or gnuplot is missing or fails.
+/// OUT/points/NAME.js, OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex,
+/// program/codes.tex and program/mutants.tex, and style.css, report.js and .report-files. Nothing comes from outside
+/// OUT, and only links to the sources of published costs lead there. What an earlier report wrote in OUT and this one
+/// does not is removed. Throws UsageError, and leaves OUT as it was, when a file cannot be written, is no report's, or
+/// gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

@@ -122,7 +122,7 @@ function pointsOf(data) {
       x, y,
       title: series.name,
       text: `${swept === "" ? "" : `${data.key} = ${shorter(swept)}: `}${data.quantity} ${value}`,
-      command: series.command ? series.command.replace("{}", swept) : "",
+      command: series.command && swept !== "" ? series.command.replace("{}", swept) : "",
       note: series.note || "",
     })));
 }

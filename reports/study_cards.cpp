@@ -10,7 +10,7 @@ using namespace template_data;
 
 namespace {
 
-/// "order 1.97 ± 0.28 of bspline2 in l2", "limit cfl = 0.84 of gimp": a line for each of the first.
+/// "order 1.97 ± 0.28 of bspline2 in l2", "limit cfl 0.82 to 0.86 of gimp": a line for each of the first.
 std::vector<std::string> fitted_lines(const records::StudyResult& study) {
   constexpr std::size_t most = 4;
   std::vector<std::string> lines;

@@ -29,11 +29,6 @@ std::string floor_text(const fits::FloorFit& floor) {
   return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
 }
 
-/// "16 to 128", of a fit or an extrapolation.
-std::string window_text(const auto& fitted) {
-  return fmt::format("{} to {}", brief(fitted.from), brief(fitted.to));
-}
-
 /// The table with a group for each series that has rows.
 template <class RowsOf>
 Table with_series(Table table, const StudyResult& study, const RowsOf& rows_of) {
@@ -82,9 +77,9 @@ Table fits_table(const StudyResult& study) {
     Table::Rows rows;
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
-      rows.push_back({o.norm, window_text(o), claims::points_text(series, o), order_text(o), brief(o.constant),
-                      o.points == 2 ? "–" : five_decimals(o.r_squared), fits::asymptotic_word(o),
-                      found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
+      rows.push_back({o.norm, window_text(o.from, o.to), claims::points_text(series, o), order_text(o),
+                      brief(o.constant), o.points == 2 ? "–" : five_decimals(o.r_squared), fits::asymptotic_word(o),
+                      found ? window_text(o.asymptotic_from, o.asymptotic_to) : "none",
                       o.floor ? floor_text(*o.floor) : "–"});
     }
     return rows;
@@ -102,7 +97,7 @@ Table replicates_table(const StudyResult& study) {
     Table::Rows rows;
     for (const auto& o : series.orders)
       if (o.replicates)
-        rows.push_back({o.norm, window_text(o), fmt::format("{}", o.replicates->observations),
+        rows.push_back({o.norm, window_text(o.from, o.to), fmt::format("{}", o.replicates->observations),
                         order_text(o.order, o.replicates->half_width), brief(o.replicates->scatter),
                         brief(o.replicates->lack_of_fit)});
     return rows;
@@ -119,14 +114,15 @@ Table extrapolations_table(const StudyResult& study) {
       {"quantity", "window", over_grids ? "grids" : "points", "model", "free order", "limit", finest, "uncertainty",
        "GCI", "remark"},
       {},
-      "The free order is that of φ0 + α h^p. Where it lies outside of 0.5 to 2 it decides nothing: a model of fixed "
-      "powers is taken." +
+      "The free order is that of φ0 + α h^p. Outside of 0.5 to 2 a model of fixed powers is taken instead, and the "
+      "free order decides only the factor of safety." +
           (over_grids ? "" : fmt::format(" Here h stands for {}.", step_name(study.sweep)))};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& e : series.extrapolations)
-      rows.push_back({e.norm, window_text(e), fmt::format("{}", e.points), e.model, order_text(e.order, not_measured),
-                      brief(e.limit), brief(e.finest), brief(e.uncertainty), brief(e.convergence_index), e.remark});
+      rows.push_back({e.norm, window_text(e.from, e.to), fmt::format("{}", e.points), e.model,
+                      order_text(e.order, not_measured), brief(e.limit), brief(e.finest), brief(e.uncertainty),
+                      brief(e.convergence_index), e.remark});
     return rows;
   });
 }

@@ -24,6 +24,10 @@ std::string brief(double v) {
   return is_short_whole ? fmt::format("{:.0f}", v) : fmt::format("{:.4g}", v);
 }
 
+std::string window_text(double from, double to) {
+  return fmt::format("{} to {}", brief(from), brief(to));
+}
+
 std::string growth_text(std::int64_t steps) {
   const double per_cent = 100 * (fits::least_visible_growth(steps) - 1);
   if (std::isnan(per_cent)) return "";

@@ -14,6 +14,9 @@ std::string exact(double v);
 /// a dash for NaN.
 std::string brief(double v);
 
+/// "16 to 128".
+std::string window_text(double from, double to);
+
 /// For people: three significant digits, all of those before the point, a dash for NaN.
 std::string three_digits(double v);
 

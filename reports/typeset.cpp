@@ -110,6 +110,7 @@ class Cutter {
     const std::size_t sign = rest().substr(1).starts_with("-") ? 1 : 0, from = at_ + 1 + sign;
     std::size_t length = length_of(from, [](char c) { return is_digit(c) || c == '.'; });
     if (length == 0 && length_of(from, is_letter) == 1) length = 1;
+    while (length > 0 && text_[from + length - 1] == '.') --length;  // a sentence's full stop
     if (length == 0) return false;
     take(1);
     add(Kind::raised, take(sign + length));

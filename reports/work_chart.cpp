@@ -63,7 +63,8 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
         "Bars: from the smallest to the largest of the repeated times; points: their geometric mean.");
   if (const auto note = process_time_note(figure_series(study, figure)); !note.empty()) chart.notes.push_back(note);
   if (!without.empty())
-    chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
+    chart.omissions.push_back(fmt::format("Without a point, as they are unstable, failed or were not measured: {}.",
+                                          fmt::join(without, "; ")));
   return chart;
 }
 

@@ -138,6 +138,8 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_THAT(offered("run \"\""), HasSubstr("--basis")) << "it takes nothing but options";
   EXPECT_THAT(offered("gate --db mi"), HasSubstr("mine.db"));
   EXPECT_THAT(offered("study mi"), HasSubstr("mine.db"));
+  EXPECT_THAT(offered("score mi"), AllOf(HasSubstr("mine.db"), Not(HasSubstr("compgen"))))
+      << "both of its words are files";
   EXPECT_THAT(offered("study s-fig10"), HasSubstr("s-fig10")) << "that comes with the program";
   EXPECT_EQ(offered("run --cells \"\""), "\n") << "a number is no file";
   EXPECT_EQ(offered("gate --goldens mi"), "mine\n") << "a folder alone";

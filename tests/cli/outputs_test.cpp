@@ -66,6 +66,12 @@ TEST_F(Outputs, ReplaceNoFileOfAnotherKind) {
     EXPECT_THAT(answer.err, HasSubstr("notes.txt is there, and is not what this command writes")) << arguments;
   }
   EXPECT_EQ(read_text(folder / "notes.txt"), "dear diary\n");
+  const std::string drawing = "<?xml version=\"1.0\"?>\n<svg>a drawing</svg>\n",
+                    with_vtu = "particles --problem bar --cells 8 --ppc 2 --basis linear --cfl 0.2 --vtu ";
+  folder.write("drawing.svg", drawing);
+  EXPECT_EQ(call(folder, with_vtu + "drawing.svg", cd).code, 2);
+  EXPECT_EQ(read_text(folder / "drawing.svg"), drawing);
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(call(folder, with_vtu + "bar.vtu", cd).code, 0) << k;
   folder.write("notes.txt", "");
   for (int k = 0; k < 2; ++k) EXPECT_EQ(call(folder, "db export --db v.db --out notes.txt", cd).code, 0) << k;
 }

@@ -31,7 +31,6 @@ TEST(Numbers, HaveOneFormEach) {
   EXPECT_EQ(half_width_text(0.234), "± 0.23");
   EXPECT_EQ(half_width_text(0), "-") << "nothing is known of it";
   for (const auto text : {&number_text, &error_text, &order_text, &half_width_text}) EXPECT_EQ(text(none), "-");
-  EXPECT_EQ(window_text(8, 64), "8 to 64");
   EXPECT_EQ(count_text(1, "case") + ", " + count_text(2, "case"), "1 case, 2 cases");
   EXPECT_EQ(count_text(1, "study", "studies") + ", " + count_text(0, "study", "studies"), "1 study, 0 studies");
   EXPECT_EQ(duration_text(0), "0.0 s");

@@ -187,6 +187,12 @@ TEST(PaperFigure, ALabelLongerThanThePageTakesLinesAndRoomBelowTheAxes) {
   EXPECT_GT(more.x_label_at(0), more.x_label_at(1));
 }
 
+TEST(PaperFigure, ABlankThatDoesNotBreakStaysOneInLatex) {
+  records::StudyResult study = distinct::laws();
+  study.figures[0].ylabel = "error in a cell of 5\u00A0mm";
+  EXPECT_THAT(drawn(study, sheet(Format::tex)), HasSubstr("5~mm"));
+}
+
 TEST(PaperFigure, TitlesOfPanelsAreBroken) {
   Chart chart = chart_of(distinct::particles());
   ASSERT_GT(chart.labels.size(), 1U);

@@ -22,6 +22,7 @@ TEST(Text, BriefNumbersHaveFourDigitsAndCountsAllOfTheirs) {
   EXPECT_EQ(brief(1234567), "1.235e+06");
   EXPECT_EQ(brief(INFINITY), "inf");
   EXPECT_EQ(brief(NAN), "–");
+  EXPECT_EQ(window_text(8, 16384), "8 to 16384");
 }
 
 TEST(Text, ThreeDigitsHaveNoExponentThatHidesASize) {

@@ -29,6 +29,8 @@ TEST(Typeset, LatexSetsQuantitiesAsMathematicsAndUnitsUpright) {
       {"10^-3", "10$^{-3}$"},
       {"2·10^5", "2$\\cdot$10$^{5}$"},
       {"h^2", "$h$$^{2}$"},
+      {"falls as h^2.", "falls as $h$$^{2}$."},
+      {"h^1.5 and", "$h$$^{1.5}$ and"},
       {"‖u − u_h‖ in L², e_u", "$\\|$$u$ $-$ $u$$_{h}$$\\|$ in $L$$^2$, $e$$_{u}$"},
       {"L/h, Δt·c/h", "$L$/$h$, $\\Delta$$t$$\\cdot$$c$/$h$"},
       {"σ_xx of φ, 3 μs", "$\\sigma$$_{xx}$ of $\\varphi$, 3 $\\mu$s"},
