@@ -119,10 +119,12 @@ int list(const std::string& what, const std::string& folder, bool json) {
     throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
   if (json)
     print_json(all);
-  else if (what.empty())
-    table.print_apart(), print_indented("further lists: mpmvv list studies, codes, dialects or study-file", 0);
-  else
+  else if (!what.empty())
     table.print();
+  else {
+    table.print_apart();
+    print_indented("further lists: mpmvv list studies, codes, dialects or study-file", 0);
+  }
   return 0;
 }
 
