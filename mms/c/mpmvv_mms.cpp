@@ -103,8 +103,12 @@ mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const doubl
   });
 }
 
+mpmvv_status refused(const char* what, const char* why) {
+  return guarded([=] { return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": " + why); });
+}
+
 mpmvv_status lacking(const char* what) {
-  return guarded([what] { return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a null pointer"); });
+  return refused(what, "a null pointer");
 }
 
 template <class Of>
@@ -172,7 +176,8 @@ mpmvv_status mpmvv_create(const char* name, int count, const char* const* parame
                           const double* parameter_values, mpmvv_solution** solution) {
   if (!solution) return lacking("mpmvv_create");
   *solution = nullptr;
-  if (!name || count < 0 || (count > 0 && (!parameter_names || !parameter_values))) return lacking("mpmvv_create");
+  if (count < 0) return refused("mpmvv_create", "a negative number of parameters");
+  if (!name || (count > 0 && (!parameter_names || !parameter_values))) return lacking("mpmvv_create");
   return guarded([&] {
     Values given;
     for (int k = 0; k < count; ++k) {
@@ -250,6 +255,8 @@ mpmvv_status mpmvv_stress(const mpmvv_solution* solution, size_t n, const double
 mpmvv_status mpmvv_traction(const mpmvv_solution* solution, size_t n, const double* X, const double* N, double t,
                             double* traction) {
   if (!solution || (n > 0 && (!X || !N || !traction))) return lacking("mpmvv_traction");
+  if (!all_finite(N, n * static_cast<std::size_t>(mpmvv_dimension(solution))))
+    return refused("mpmvv_traction", "a component of a normal is not a finite number");
   return evaluate(solution, n, X, t, traction, 1, "mpmvv_traction",
                   [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
                     const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
