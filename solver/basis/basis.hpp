@@ -54,7 +54,7 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
 /// How many cells out of the domain a particle may lie with this basis. The corners of its domain, if it has one, may
 /// lie further out by their reach.
 template <class B>
-inline constexpr int stray = B::ghost == 0 ? 0 : B::ghost - std::max(1, (B::support - 1) / 2) - reach(B::width);
+inline constexpr int cells_beyond = B::ghost == 0 ? 0 : B::ghost - std::max(1, (B::support - 1) / 2) - reach(B::width);
 
 /// Whether the set of nodes that a point reaches changes half-way between nodes, and not on nodes. It does where an odd
 /// number of functions, centred on nodes, overlap. Particles are sorted by this. If it is wrong for a basis, runs with

@@ -75,8 +75,8 @@ class SlabsOf : public ::testing::Test {};
 using SlabbedBases = Together<AnyBasis, Spline<5>, Spline<6>, Spline<7>, DomainSpline<6>>::type;
 TYPED_TEST_SUITE(SlabsOf, SlabbedBases);
 
-/// Not even one to which a particle adds nothing: what another slab adds at the same time could be lost. In 100 cells a
-/// particle may stray one cell, in 1000 cells two.
+/// Not even one to which a particle adds nothing: what another slab adds at the same time could be lost. How far
+/// particles may stray depends on the number of cells.
 TYPED_TEST(SlabsOf, NextButOneShareNoNode) {
   for (const int cells : {100, 1000}) {
     const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), 1, {cells});
