@@ -136,8 +136,8 @@ class Step {
   // For velocity updates.
   void expand_velocity();                ///< v_i by the expanded inverse, on steps on which the update expands it
   void expand_inverse(Field& velocity);  ///< expands lumped velocities, on free nodes alone with `elimination`
-  void hold_after_expansion(
-      Field& velocity);  ///< holds expanded ones at faces and walls, unless the wall method is `lumped`
+  /// Holds expanded velocities at faces and walls, unless the wall method is `lumped`.
+  void hold_after_expansion(Field& velocity);
 
  private:
   void make_room();

@@ -79,10 +79,10 @@ template <int D>
 using Rows = Eigen::Matrix<double, D, D, D == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 /// Calls `at(fields, p)` for each of n points at X. It writes a vector (`rank` 1) or matrix (`rank` 2) into `out`.
-/// Fails where the time, a coordinate or a result is not finite; `what` begins the message.
+/// Fails where the time, a coordinate, a normal or a result is not finite; `what` begins the message.
 template <class At>
 mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const double* X, double t, const double* out,
-                      int rank, const char* what, const At& at) {
+                      int rank, const char* what, const At& at, const double* normals = nullptr) {
   return guarded([&] {
     if (!std::isfinite(t)) return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": the time is not a finite number");
     return std::visit(
@@ -92,6 +92,9 @@ mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const doubl
             if (!all_finite(X + p * D, D))
               return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a coordinate of point " + std::to_string(p) +
                                                     " is not a finite number");
+            if (normals && !all_finite(normals + p * D, D))
+              return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a component of the normal at point " +
+                                                    std::to_string(p) + " is not a finite number");
             at(*fields, p);
             if (!all_finite(out + p * size, size))
               return failed(MPMVV_NOT_FINITE, std::string(what) + " is not finite at point " + std::to_string(p) +
@@ -255,11 +258,11 @@ mpmvv_status mpmvv_stress(const mpmvv_solution* solution, size_t n, const double
 mpmvv_status mpmvv_traction(const mpmvv_solution* solution, size_t n, const double* X, const double* N, double t,
                             double* traction) {
   if (!solution || (n > 0 && (!X || !N || !traction))) return lacking("mpmvv_traction");
-  if (!all_finite(N, n * static_cast<std::size_t>(mpmvv_dimension(solution))))
-    return refused("mpmvv_traction", "a component of a normal is not a finite number");
-  return evaluate(solution, n, X, t, traction, 1, "mpmvv_traction",
-                  [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
-                    const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
-                    Eigen::Map<Vec<D>>(traction + p * D) = fields.traction(at, normal, t);
-                  });
+  return evaluate(
+      solution, n, X, t, traction, 1, "mpmvv_traction",
+      [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
+        const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
+        Eigen::Map<Vec<D>>(traction + p * D) = fields.traction(at, normal, t);
+      },
+      N);
 }

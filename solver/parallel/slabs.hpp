@@ -20,11 +20,11 @@ enum class Adds { nothing, to_nodes };
 
 /// Cuts the domain across its last axis into slabs with about equally many particles. Sorts the particles so that those
 /// of a slab are contiguous and, within a slab, those that reach the same nodes: these nodes then stay in the cache,
-/// and four particles of a bar can be visited at once (stencils/pack_stencil.hpp). A particle may stray a cell or two
-/// out of its slab before the particles must be sorted again (`WrapPosition` finds out). Slabs are so thick that even
-/// then two slabs with another one between them share no node, so threads may add to the nodes of every second slab at
-/// once. The slabs depend on the grid, the basis, the particles and how many are asked for, not on the number of
-/// threads.
+/// and four particles of a bar can be visited at once (stencils/pack_stencil.hpp). A particle may stray up to
+/// three cells out of its slab before the particles must be sorted again (`WrapPosition` finds out). Slabs are so thick
+/// that even then two slabs with another one between them share no node, so threads may add to the nodes of every
+/// second slab at once. The slabs depend on the grid, the basis, the particles and how many are asked for, not on the
+/// number of threads.
 template <int D>
 class Slabs {
  public:
@@ -94,8 +94,10 @@ class Slabs {
 
  private:
   /// How far particles may stray, in cells. On a line and in the plane it is up to three cells, as long as `enough`
-  /// slabs remain for the threads: the farther, the more seldom particles are sorted, and a step in the plane takes
-  /// 0.93 to 0.97 of the time that it takes with one cell. In space sorting is hardly any part of a step.
+  /// slabs remain, of which two may add to nodes at once: the farther, the more seldom particles are sorted, and a step
+  /// in the plane takes 0.93 to 0.97 of the time that it takes with one cell on one thread. On more threads than slabs
+  /// of a colour it takes longer, but bodies of so few cells have work for few. In space sorting is hardly any part of
+  /// a step.
   template <class B>
   static int farthest_stray(std::size_t cells) {
     constexpr std::size_t enough = 4;

@@ -147,7 +147,7 @@ TEST(CInterface, SaysWhatIsWrongAtAPoint) {
   EXPECT_STREQ(mpmvv_message(), "no reference point found: the position is outside the body");
   EXPECT_EQ(mpmvv_traction(ring.get(), 1, X, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_traction(ring.get(), 1, X, astray + 1, 0, b), MPMVV_BAD_ARGUMENT);
-  EXPECT_STREQ(mpmvv_message(), "mpmvv_traction: a component of a normal is not a finite number");
+  EXPECT_STREQ(mpmvv_message(), "mpmvv_traction: a component of the normal at point 0 is not a finite number");
   EXPECT_EQ(mpmvv_body_force(nullptr, 1, X, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 1, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 0, nullptr, 0, nullptr), MPMVV_OK) << "no points, no arrays";
