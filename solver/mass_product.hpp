@@ -36,8 +36,8 @@ class MassProduct {
 
  private:
   /// Whether a matrix may be assembled: not in space, where rows are long and the nodes that they couple lie far apart
-  /// in memory. There 73 products, as many as the solution with the consistent mass takes
-  /// at most, took 1.0 to 1.9 times as long as by sweeps.
+  /// in memory. There 73 products, as many as the solution with the consistent mass takes at most, took 1.0 to 1.9
+  /// times as long as by sweeps.
   static constexpr bool may_assemble = D < 3;
 
   std::optional<MassMatrix<D>> matrix_;

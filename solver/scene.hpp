@@ -19,7 +19,7 @@ namespace mpmvv::solver {
 /// Where the body force is evaluated.
 enum class BodyForceOn {
   particles,  ///< S (16)
-  grid        ///< f_i += m_i b(X(x_i), t), with X the reference position of what is at the node
+  grid        ///< f_i += m_i b at the position of the node (`BodyForce::at_position`)
 };
 
 /// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4. `Step::holds_before_expansion`

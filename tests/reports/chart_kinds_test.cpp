@@ -46,7 +46,8 @@ TEST(WorkChart, DrawsErrorAgainstCostAndTheFrontOfAllSeries) {
   std::vector<double> errors;
   for (const Place& p : fronts[0].path) errors.push_back(p.y);
   EXPECT_THAT(errors, ElementsAre(0.3, 0.5 / 4, 0.5 / 16, 0.5 / 64));
-  EXPECT_THAT(charts[0].omissions, ElementsAre("Without a point, as they are unstable, failed or were not measured: 1 of slow."));
+  EXPECT_THAT(charts[0].omissions,
+              ElementsAre("Without a point, as they are unstable, failed or were not measured: 1 of slow."));
 }
 
 TEST(WorkChart, TheRangeOfRepeatedTimesIsABarWhereItIsSeen) {
