@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "mms/elasticity.hpp"
 #include "mms/solution.hpp"
@@ -48,7 +49,7 @@ struct BarDisplacement {
     return {amplitude * sin(two_pi * X[0]) * cos(wave_speed * two_pi / 2 * t)};
   }
 
-  static constexpr double two_pi = 6.283185307179586476925286766559;
+  static constexpr double two_pi = 2 * std::numbers::pi;
 };
 
 }  // namespace mpmvv::mms

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cmath>
 
 #include "mms/elasticity.hpp"
 #include "mms/solution.hpp"

@@ -135,21 +135,11 @@ std::pair<bool, double> rank(const ClaimPart& part) {
 
 std::string asked_text(const ClaimPart& part) {
   if (part.measure == "awaited") return "awaited";
-  if (part.at_least && part.at_least == part.at_most) return fmt::format("{}", *part.at_least);
-  if (part.at_least && part.at_most) return fmt::format("{} to {}", *part.at_least, *part.at_most);
-  if (part.at_least) return fmt::format("at least {}", *part.at_least);
-  return part.at_most ? fmt::format("at most {}", *part.at_most) : "";
+  return claims::bounds_text(part);
 }
 
 std::string told_from_bounds(const ClaimPart& part, double value) {
-  if (value == part.at_least || value == part.at_most) return fmt::format("{}", value);
-  int digits = 4;
-  const auto rounded = [&digits](double v) { return fmt::format("{:.{}g}", v, digits); };
-  const auto looks_like = [&](const std::optional<double>& bound) {
-    return bound && rounded(value) == rounded(*bound);
-  };
-  while (digits < 17 && (looks_like(part.at_least) || looks_like(part.at_most))) ++digits;
-  return std::isnan(value) ? brief(value) : rounded(value);
+  return std::isnan(value) ? brief(value) : claims::told_from_bounds(part, value);
 }
 
 /// An older store has no intervals, so the evidence has to do.

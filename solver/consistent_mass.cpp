@@ -18,9 +18,9 @@ ConsistentMass<D>::ConsistentMass(Step<D>& s, const ConsistentMassSettings& sett
   const std::size_t nodes = s.grid().size();
   for (Field* field : {&inverse_, &residual_, &direction_, &image_, &covered_}) field->resize(nodes, Padded<D>::Zero());
   coverage_.resize(nodes);
-  couplings_.assign(nodes, padded_alone<D>(1));
-  s.sum_images(couplings_);
-  for (const auto& images : couplings_) share_.push_back(1 / images[D]);
+  covered_sums_.assign(nodes, padded_alone<D>(1));
+  s.sum_images(covered_sums_);
+  for (const auto& images : covered_sums_) share_.push_back(1 / images[D]);
   for (std::size_t n = 0; n < nodes; ++n) covered_mass_.push_back(settings.covered * full_mass(s, n, cell_mass));
 }
 
@@ -39,15 +39,17 @@ double ConsistentMass<D>::full_mass(const Step<D>& s, std::size_t n, double cell
 }
 
 template <int D>
-void ConsistentMass<D>::set_couplings(Step<D>& s) {
+void ConsistentMass<D>::set_coverage(Step<D>& s) {
+  if (covered_after_ == s.moves()) return;
+  covered_after_ = s.moves();
   const double most = std::sqrt(1 - settings_.lumped_share);
   for (std::size_t n = 0; n < coverage_.size(); ++n) {
     const double m = s.grid().m(n);
     coverage_[n] = padded_alone<D>(m < covered_mass_[n] ? most * m / covered_mass_[n] : most);
   }
-  s.clear(couplings_);
-  s.sweep({AddMassProduct<D, Padded<D + 1>>{s.particles(), coverage_, couplings_}});
-  s.sum_images(couplings_);
+  s.clear(covered_sums_);
+  s.sweep({AddMassProduct<D, Padded<D + 1>>{s.particles(), coverage_, covered_sums_}});
+  s.sum_images(covered_sums_);
   product_.prepare(s);
 }
 
@@ -58,7 +60,7 @@ void ConsistentMass<D>::multiply(Step<D>& s, const Field& u, Field& q) {
   product_.add(s, covered_, q);
   s.sum_images(q);
   for (std::size_t n = 0; n < u.size(); ++n)
-    q[n] = s.grid().m(n) * u[n] - coverage_[n][D] * (couplings_[n][D] * u[n] - q[n]);
+    q[n] = s.grid().m(n) * u[n] - coverage_[n][D] * (covered_sums_[n][D] * u[n] - q[n]);
   s.constrain_transposed(q);
 }
 
@@ -66,7 +68,7 @@ template <int D>
 void ConsistentMass<D>::solve(Step<D>& s, double least_mass, Field& u) {
   const auto sum = [](const Padded<D>& components) { return components.template head<D>().sum(); };
   const auto quotient = [](double a, double b) { return b > 0 ? a / b : 0.0; };
-  set_couplings(s);
+  set_coverage(s);
   invert_diagonal(s, least_mass);
   s.constrain_transposed(residual_);
   const double round_off = 1e-28 * sum(residual_norm());

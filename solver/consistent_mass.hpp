@@ -1,6 +1,6 @@
 #pragma once
 #include <cstddef>
-#include <vector>
+#include <cstdint>
 
 #include "solver/array.hpp"
 #include "solver/consistent_mass_settings.hpp"
@@ -34,8 +34,9 @@ class ConsistentMass {
 
   ConsistentMass(Step<D>& s, const ConsistentMassSettings& settings, double cell_mass);
 
-  /// Computes c and M c. To be called when masses or positions have changed, before `multiply`. `solve` does so itself.
-  void set_couplings(Step<D>& s);
+  /// Computes c and M c, unless positions are those of the last call. To be called before `multiply`. `solve` does so
+  /// itself.
+  void set_coverage(Step<D>& s);
 
   /// Sets q = Cᵀ M̂ u. The field u must be constrained, u = C u.
   void multiply(Step<D>& s, const Field& u, Field& q);
@@ -61,10 +62,11 @@ class ConsistentMass {
   Array<double> share_;                 ///< one over the number of nodes that `sum_images` adds up on a node
   Array<double> covered_mass_;          ///< θ m_full
   Array<Padded<D + 1>> coverage_;       ///< c in component D, where boundaries expect a mass
-  Array<Padded<D + 1>> couplings_;      ///< M c in component D
+  Array<Padded<D + 1>> covered_sums_;   ///< M c in component D
   Field inverse_;                       ///< inverse of Cᵀ diag(m) C, zero where nothing is to be solved
   Field residual_, direction_, image_;  ///< of the iteration; the image is Cᵀ M̂ times the direction
   Field covered_;                       ///< c u, which `multiply` multiplies by M
+  std::int64_t covered_after_ = -1;     ///< `Step::moves` when c and M c were computed
 };
 
 extern template class ConsistentMass<1>;

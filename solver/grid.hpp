@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <climits>
 #include <cstddef>
 #include <cstdint>

@@ -5,6 +5,7 @@
 
 #include "solver/kernels/add_couplings.hpp"
 #include "solver/simd/doubles.hpp"
+#include "solver/stencils/any_block.hpp"
 #include "solver/stencils/node_boxes.hpp"
 #include "solver/stencils/node_loop.hpp"
 #include "solver/step.hpp"

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "solver/kernels/add_mass_product.hpp"
+#include "solver/stencils/any_block.hpp"
 #include "solver/stencils/node_boxes.hpp"
 #include "solver/step.hpp"
 

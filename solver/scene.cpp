@@ -1,6 +1,7 @@
 #include "solver/scene.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -97,6 +98,7 @@ template <int D>
 void require_particles(const Scene<D>& scene) {
   const Particles<D>& particles = scene.particles;
   require(particles.size() > 0, "a scene without particles");
+  require(particles.size() <= INT_MAX, "more particles than indices can count");
   require_fields(scene);
   const auto is_amount = [](double amount) { return amount > 0 && std::isfinite(amount); };
   require(std::ranges::all_of(particles.m, is_amount), "a particle without a mass");

@@ -22,8 +22,8 @@ enum class BodyForceOn {
   grid        ///< f_i += m_i b at the position of the node (`BodyForce::at_position`)
 };
 
-/// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4. `Step::holds_lumped` and
-/// `Step::hold_expanded` (step_grid.hpp) decide by it.
+/// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4. `Step::holds_before_expansion`
+/// and `Step::hold_after_expansion` (step_grid.hpp) decide by it.
 enum class WallMethod {
   velocity,    ///< the expanded ones alone
   lumped,      ///< the lumped ones alone, from which the expansion starts

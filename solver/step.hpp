@@ -136,7 +136,8 @@ class Step {
   // For velocity updates.
   void expand_velocity();                ///< v_i by the expanded inverse, on steps on which the update expands it
   void expand_inverse(Field& velocity);  ///< expands lumped velocities, on free nodes alone with `elimination`
-  void hold_expanded(Field& velocity);   ///< holds expanded ones at faces and walls, unless the wall method is `lumped`
+  /// Holds expanded velocities at faces and walls, unless the wall method is `lumped`.
+  void hold_after_expansion(Field& velocity);
 
  private:
   void make_room();
@@ -160,7 +161,7 @@ class Step {
   bool needs_whole_orbits() const;
   void divide_by_mass(const auto& field, double least_mass, Field& quotient);
   void set_difference_acceleration(double dt);
-  bool holds_lumped() const;
+  bool holds_before_expansion() const;
   void hold(Field& velocity);
   VelocityFields<D> velocity_fields(double dt);
   template <class V>

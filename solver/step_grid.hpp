@@ -92,7 +92,7 @@ void Step<D>::set_velocity() {
   has_expanded_velocity_ = false;
   divide_by_mass(grid_.p, 0, grid_.v);
   for (auto& wall : walls_) wall.meet(grid_);
-  if (holds_lumped()) hold(grid_.v);
+  if (holds_before_expansion()) hold(grid_.v);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
 }
 
@@ -100,7 +100,7 @@ template <int D>
 void Step<D>::set_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
   divide_by_mass(grid_.f, least_mass_, grid_.a);
-  if (!scene_.difference_acceleration && holds_lumped()) constrain(grid_.a);
+  if (!scene_.difference_acceleration && holds_before_expansion()) constrain(grid_.a);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
   if (scene_.half_start && steps_ == 0)  // W §4
     for (auto& a : grid_.a) a *= 0.5;
@@ -118,7 +118,7 @@ template <int D>
 void Step<D>::advance_velocity(double dt) {
   for (auto& wall : walls_) wall.pass_to_end();
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
-  if (!holds_lumped()) return;
+  if (!holds_before_expansion()) return;
   hold(grid_.v);
   if (scene_.difference_acceleration) set_difference_acceleration(dt);
   for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
@@ -127,7 +127,7 @@ void Step<D>::advance_velocity(double dt) {
 /// Whether faces and walls hold lumped velocities and accelerations: always, except on a step that expands the grid
 /// velocity with the wall method `velocity`.
 template <int D>
-bool Step<D>::holds_lumped() const {
+bool Step<D>::holds_before_expansion() const {
   return !expanded_inverse_ || !expands_grid_velocity(scene_.velocity_update, steps_) ||
          scene_.wall_method != WallMethod::velocity;
 }
@@ -138,7 +138,7 @@ void Step<D>::expand_inverse(Field& velocity) {
 }
 
 template <int D>
-void Step<D>::hold_expanded(Field& velocity) {
+void Step<D>::hold_after_expansion(Field& velocity) {
   if (expanded_inverse_ && scene_.wall_method != WallMethod::lumped) hold(velocity);
 }
 
@@ -146,7 +146,7 @@ template <int D>
 void Step<D>::expand_velocity() {
   if (!expanded_inverse_ || !expands_grid_velocity(scene_.velocity_update, steps_)) return;
   expand_inverse(grid_.v);
-  hold_expanded(grid_.v);
+  hold_after_expansion(grid_.v);
   has_expanded_velocity_ = true;
 }
 

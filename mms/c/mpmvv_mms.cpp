@@ -79,10 +79,10 @@ template <int D>
 using Rows = Eigen::Matrix<double, D, D, D == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
 /// Calls `at(fields, p)` for each of n points at X. It writes a vector (`rank` 1) or matrix (`rank` 2) into `out`.
-/// Fails where the time, a coordinate or a result is not finite; `what` begins the message.
+/// Fails where the time, a coordinate, a normal or a result is not finite; `what` begins the message.
 template <class At>
 mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const double* X, double t, const double* out,
-                      int rank, const char* what, const At& at) {
+                      int rank, const char* what, const At& at, const double* normals = nullptr) {
   return guarded([&] {
     if (!std::isfinite(t)) return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": the time is not a finite number");
     return std::visit(
@@ -92,6 +92,9 @@ mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const doubl
             if (!all_finite(X + p * D, D))
               return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a coordinate of point " + std::to_string(p) +
                                                     " is not a finite number");
+            if (normals && !all_finite(normals + p * D, D))
+              return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a component of the normal at point " +
+                                                    std::to_string(p) + " is not a finite number");
             at(*fields, p);
             if (!all_finite(out + p * size, size))
               return failed(MPMVV_NOT_FINITE, std::string(what) + " is not finite at point " + std::to_string(p) +
@@ -103,8 +106,12 @@ mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const doubl
   });
 }
 
+mpmvv_status refused(const char* what, const char* why) {
+  return guarded([=] { return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": " + why); });
+}
+
 mpmvv_status lacking(const char* what) {
-  return guarded([what] { return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a null pointer"); });
+  return refused(what, "a null pointer");
 }
 
 template <class Of>
@@ -172,7 +179,8 @@ mpmvv_status mpmvv_create(const char* name, int count, const char* const* parame
                           const double* parameter_values, mpmvv_solution** solution) {
   if (!solution) return lacking("mpmvv_create");
   *solution = nullptr;
-  if (!name || count < 0 || (count > 0 && (!parameter_names || !parameter_values))) return lacking("mpmvv_create");
+  if (count < 0) return refused("mpmvv_create", "a negative number of parameters");
+  if (!name || (count > 0 && (!parameter_names || !parameter_values))) return lacking("mpmvv_create");
   return guarded([&] {
     Values given;
     for (int k = 0; k < count; ++k) {
@@ -250,9 +258,11 @@ mpmvv_status mpmvv_stress(const mpmvv_solution* solution, size_t n, const double
 mpmvv_status mpmvv_traction(const mpmvv_solution* solution, size_t n, const double* X, const double* N, double t,
                             double* traction) {
   if (!solution || (n > 0 && (!X || !N || !traction))) return lacking("mpmvv_traction");
-  return evaluate(solution, n, X, t, traction, 1, "mpmvv_traction",
-                  [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
-                    const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
-                    Eigen::Map<Vec<D>>(traction + p * D) = fields.traction(at, normal, t);
-                  });
+  return evaluate(
+      solution, n, X, t, traction, 1, "mpmvv_traction",
+      [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
+        const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
+        Eigen::Map<Vec<D>>(traction + p * D) = fields.traction(at, normal, t);
+      },
+      N);
 }

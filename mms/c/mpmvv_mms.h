@@ -43,7 +43,7 @@ typedef enum mpmvv_status {
   MPMVV_OK = 0,
   MPMVV_UNKNOWN_NAME = 1, /* of a solution or of a parameter */
   MPMVV_BAD_VALUE = 2,    /* a parameter out of its range, or parameters that do not go together */
-  MPMVV_BAD_ARGUMENT = 3, /* a null pointer, a time or a coordinate that is not a finite number */
+  MPMVV_BAD_ARGUMENT = 3, /* a null pointer, a negative count, a time, coordinate or normal that is not finite */
   MPMVV_NOT_FINITE =
       4, /* a field is not finite at a point: the point is outside of the body, or the time is too large */
   MPMVV_NO_MEMORY = 5,

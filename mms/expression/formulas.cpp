@@ -1,7 +1,5 @@
 #include "mms/expression/formulas.hpp"
 
-#include <utility>
-
 namespace mpmvv::mms::expression {
 
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 /// Writes formulas down by running the code that evaluates them: a function template that is called with the number

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <string_view>
 
@@ -49,6 +50,11 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
   { B::position(int{}, int{}) } -> std::same_as<double>;
   { basis.evaluate(point, N, dN) } -> std::same_as<int>;
 };
+
+/// How many cells out of the domain a particle may lie with this basis. The corners of its domain, if it has one, may
+/// lie further out by their reach.
+template <class B>
+inline constexpr int cells_beyond = B::ghost == 0 ? 0 : B::ghost - std::max(1, (B::support - 1) / 2) - reach(B::width);
 
 /// Whether the set of nodes that a point reaches changes half-way between nodes, and not on nodes. It does where an odd
 /// number of functions, centred on nodes, overlap. Particles are sorted by this. If it is wrong for a basis, runs with

@@ -18,7 +18,7 @@ enum class WallGradient {
 
 /// A face from which a wall moves through the grid, N §2.5. The nodes that it holds change with time, so the face
 /// itself holds none; `MovingWall` does. Where velocities are expanded, `Scene::wall_method` says which of them are
-/// held (`Step::holds_lumped` and `Step::hold_expanded` in step_grid.hpp).
+/// held (`Step::holds_before_expansion` and `Step::hold_after_expansion` in step_grid.hpp).
 struct Wall {
   static constexpr std::string_view word = "wall";
   static constexpr bool holds = false;

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "solver/stencils/sweep.hpp"
 #include "solver/surface_load.hpp"

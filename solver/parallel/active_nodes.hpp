@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -24,15 +25,19 @@ class ActiveNodes {
   bool find(ThreadPool& pool, const HasMass& has_mass, const Lose& lose) {
     std::atomic<bool> others{false};
     for_chunks(pool, contained_.size(), [this, has_mass, lose, &others](std::size_t begin, std::size_t end) {
-      std::uint8_t* const contained = contained_.data();
-      unsigned differences = 0;
-      for (std::size_t n = begin; n < end; ++n) {
-        const std::uint8_t had = contained[n], has = has_mass(n) ? 1 : 0;
-        if (had > has) lose(n);
-        contained[n] = has;
-        differences |= had ^ has;
+      bool is_other = false;
+      for (std::size_t first = begin; first < end; first += at_once) {
+        std::uint8_t* const had = &contained_[first];
+        std::array<std::uint8_t, at_once> has;
+        const std::size_t count = std::min(at_once, end - first);
+        for (std::size_t k = 0; k < count; ++k) has[k] = has_mass(first + k);
+        if (std::equal(had, had + count, has.data())) continue;
+        is_other = true;
+        for (std::size_t k = 0; k < count; ++k)
+          if (had[k] > has[k]) lose(first + k);
+        std::copy_n(has.data(), count, had);
       }
-      if (!differences) return;
+      if (!is_other) return;
       others = true;
       find_spans(begin, end);
     });
@@ -58,6 +63,8 @@ class ActiveNodes {
   }
 
  private:
+  static constexpr std::size_t at_once = 64;  ///< nodes that are compared together with what they were
+
   void find_spans(std::size_t begin, std::size_t end) {
     auto& spans = spans_[begin / chunk];
     spans.clear();

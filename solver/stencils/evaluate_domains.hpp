@@ -23,7 +23,7 @@ struct DomainsByAxis {
 template <class B, int D>
 [[gnu::flatten]] Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                     DomainsByAxis<D>& domains) {
-  const double inverse_h = 1 / grid.h(), least = 1 + domain_reach - B::ghost;
+  const double inverse_h = 1 / grid.h(), least = -cells_beyond<B>;
   double most[D];
   for (int d = 0; d < D; ++d) most[d] = next_below(grid.cells()[d] - least);
   Mask4 outside{}, inside{-1, -1, -1, -1};

@@ -26,8 +26,7 @@ struct PointsByAxis {
 template <class B>
 std::pair<double, double> range_of(int cells) {
   if (B::ghost == 0) return {0, cells};
-  const double least = std::max(1, (B::support - 1) / 2) - B::ghost;
-  return {least, next_below(cells - least)};
+  return {-cells_beyond<B>, next_below(cells + cells_beyond<B>)};
 }
 
 /// Finds the positions and widths of a block's particles. Returns a fault if a particle is out of reach of the grid, if

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "solver/simd/pack.hpp"
-#include "solver/stencils/any_block.hpp"
 #include "solver/stencils/cpdi_block.hpp"
 #include "solver/stencils/point_block.hpp"
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-
 #include "solver/array.hpp"
 #include "solver/mass_product.hpp"
 #include "solver/step.hpp"

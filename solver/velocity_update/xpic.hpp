@@ -28,7 +28,7 @@ struct Xpic : VelocityUpdate {
       grid.f[n] += increment;
       grid.a[n] = grid.v[n] - increment;
     });
-    s.hold_expanded(grid.f);
+    s.hold_after_expansion(grid.f);
     return {.velocity = &grid.f, .drift = &grid.a, .before = -0.5, .after = 0.5};
   }
 };

@@ -15,11 +15,6 @@ using records::PartVerdict;
 
 namespace {
 
-std::string bounds_text(const Criterion& c) {
-  if (c.at_least && c.at_most) return fmt::format("asked: {} to {}", *c.at_least, *c.at_most);
-  return c.at_least ? fmt::format("asked: at least {}", *c.at_least) : fmt::format("asked: at most {}", *c.at_most);
-}
-
 /// Whether the whole interval is inside the bounds, wholly outside, or reaches across one of them.
 PartVerdict verdict_on(const Criterion& c, const Found& found) {
   if ((c.at_least && found.upper < *c.at_least) || (c.at_most && found.lower > *c.at_most)) return PartVerdict::fails;
@@ -28,7 +23,7 @@ PartVerdict verdict_on(const Criterion& c, const Found& found) {
 }
 
 std::string measured_text(const records::ClaimPart& part, const Found& found) {
-  const std::string text = std::isnan(found.value) ? " is not known" : fmt::format(" = {:.4g}", found.value);
+  const std::string text = std::isnan(found.value) ? " is not known" : " = " + told_from_bounds(part, found.value);
   return found.what + text + interval_and_remark(part, found);
 }
 
@@ -76,7 +71,7 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   if (!measured.missing.empty()) texts.push_back(measured.missing);
   if (one_fails || (all_known && all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;
   const bool reaches_across = all_known && part.verdict == PartVerdict::inconclusive;
-  part.evidence = fmt::format("{} ({}{})", fmt::join(texts, "; "), bounds_text(criterion),
+  part.evidence = fmt::format("{} (asked: {}{})", fmt::join(texts, "; "), bounds_text(part),
                               reaches_across ? ", but an interval reaches across" : "");
   part.found = found_of(measured, part.verdict);
   if (part.verdict == PartVerdict::fails) part.reason = criterion.reason;

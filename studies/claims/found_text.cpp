@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace mpmvv::claims {
 
@@ -12,6 +13,24 @@ std::pair<std::string, std::string> told_apart(double a, double b, int digits) {
   const auto rounded = [&digits](double number) { return fmt::format("{:.{}g}", number, digits); };
   while (a != b && digits < all_digits && rounded(a) == rounded(b)) ++digits;
   return {rounded(a), rounded(b)};
+}
+
+std::string bounds_text(const records::ClaimPart& part) {
+  if (part.at_least && part.at_least == part.at_most) return fmt::format("{}", *part.at_least);
+  if (part.at_least && part.at_most) return fmt::format("{} to {}", *part.at_least, *part.at_most);
+  if (part.at_least) return fmt::format("at least {}", *part.at_least);
+  return part.at_most ? fmt::format("at most {}", *part.at_most) : "";
+}
+
+std::string told_from_bounds(const records::ClaimPart& part, double value) {
+  if (value == part.at_least || value == part.at_most) return fmt::format("{}", value);
+  int digits = 4;
+  const auto rounded = [&digits](double v) { return fmt::format("{:.{}g}", v, digits); };
+  const auto looks_like = [&](const std::optional<double>& bound) {
+    return bound && rounded(value) == rounded(*bound);
+  };
+  while (digits < 17 && (looks_like(part.at_least) || looks_like(part.at_most))) ++digits;
+  return rounded(value);
 }
 
 std::string range_text(double lower, double upper) {

@@ -49,8 +49,11 @@ void read_range(const TomlTable& table, const char* key, bool log, std::optional
 /// Throws when the study lacks what the figure's kind needs, or a key has no meaning for that kind.
 void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
   if (figure.kind == Figure::Kind::work_precision) require_cost(plan, table.where("kind"));
-  for (const char* key : {"marks", "slopes"})
-    if (figure.kind != Figure::Kind::curves && table.has(key))
+  std::vector<const char*> meaningless;
+  if (figure.kind != Figure::Kind::curves) meaningless = {"marks", "slopes"};
+  if (figure.kind == Figure::Kind::particles) meaningless.insert(meaningless.end(), {"quantity", "xscale", "yscale"});
+  for (const char* key : meaningless)
+    if (table.has(key))
       throw UsageError(fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key),
                                    to_string(figure.kind)));
   if (!figure.slopes.empty() && !(figure.log_x && figure.log_y))

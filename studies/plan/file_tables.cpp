@@ -88,9 +88,9 @@ FileTable figure_table() {
         "`curves`: a quantity against the swept value; `work-precision`: against the measured cost, where every "
         "series has `repeat`; `particles`: particles and voxels that a check has recorded, or the particles of each "
         "series' last sound run, coloured by their errors, where every series has `particle_errors`"},
-       {"quantity", "text", "`l2`", "what is drawn, a norm; `y` where a check brings the curves"},
-       {"xscale", "text", "`log`", "`log` or `linear`"},
-       {"yscale", "text", "`log`", "`log` or `linear`"},
+       {"quantity", "text", "`l2`", "what is drawn, a norm; `y` where a check brings the curves; not with `particles`"},
+       {"xscale", "text", "`log`", "`log` or `linear`; not with `particles`"},
+       {"yscale", "text", "`log`", "`log` or `linear`; not with `particles`"},
        {"x_range", "two numbers", "as the points are", "where the axis begins and ends"},
        {"y_range", "two numbers", "as the points are", "where the axis begins and ends"},
        {"series", "names of series", "all", "those that are drawn; those that turn the quantity off are left out"},

@@ -19,8 +19,7 @@ struct StudyInputs {
   std::string trouble;                                    ///< why some of it is missing; else empty
 };
 
-/// What the check measured when this digest last ran the same file; none otherwise, nor where a value of it is not
-/// finite (the store does not tell infinity from NaN).
+/// What the check measured when this digest last ran the same file; none otherwise, nor where a value of it is NaN.
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan, const std::vector<records::StudyResult>& stored);
 
 /// Runs sweeps (but for what is timed), checks and searches of limits beside each other, what takes longest first.

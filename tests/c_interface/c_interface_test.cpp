@@ -127,6 +127,8 @@ TEST(CInterface, RefusesWhatMakesNoSolution) {
   EXPECT_EQ(mpmvv_create("ring", 0, nullptr, nullptr, nullptr), MPMVV_BAD_ARGUMENT);
   mpmvv_solution* made = nullptr;
   EXPECT_EQ(mpmvv_create("ring", 1, nullptr, nullptr, &made), MPMVV_BAD_ARGUMENT);
+  EXPECT_EQ(mpmvv_create("ring", -1, nullptr, nullptr, &made), MPMVV_BAD_ARGUMENT);
+  EXPECT_STREQ(mpmvv_message(), "mpmvv_create: a negative number of parameters");
 }
 
 TEST(CInterface, SaysWhatIsWrongAtAPoint) {
@@ -144,6 +146,8 @@ TEST(CInterface, SaysWhatIsWrongAtAPoint) {
   EXPECT_EQ(mpmvv_reference_point(ring.get(), 1, beyond, 0.01, b), MPMVV_NOT_FINITE) << "out of reach";
   EXPECT_STREQ(mpmvv_message(), "no reference point found: the position is outside the body");
   EXPECT_EQ(mpmvv_traction(ring.get(), 1, X, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
+  EXPECT_EQ(mpmvv_traction(ring.get(), 1, X, astray + 1, 0, b), MPMVV_BAD_ARGUMENT);
+  EXPECT_STREQ(mpmvv_message(), "mpmvv_traction: a component of the normal at point 0 is not a finite number");
   EXPECT_EQ(mpmvv_body_force(nullptr, 1, X, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 1, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 0, nullptr, 0, nullptr), MPMVV_OK) << "no points, no arrays";

@@ -49,7 +49,7 @@ struct Mapped {
   Mapped(const Scene<D>& scene, const ConsistentMassSettings& settings)
       : step(scene), mass(step, settings, scene.particles.m[0] * std::pow(2, D)) {
     step.map_momentum_and_forces();
-    mass.set_couplings(step);
+    mass.set_coverage(step);
   }
 
   /// The matrix of one component, column by column.
@@ -186,7 +186,7 @@ void expect_solved(const AnyBasis& basis, const AnyBoundary& boundary) {
   const Scene<D> scene = jumbled_box<D>(basis, std::max(D == 3 ? 4 : 6, 2 * ghosts_of(basis) + 1), boundary);
   const auto step = mapped_velocities(scene, settings);
   ConsistentMass<D> mass(*step, settings, std::pow(scene.h, D));
-  mass.set_couplings(*step);
+  mass.set_coverage(*step);
   Array<Padded<D>> p(step->grid().size()), q(step->grid().size()), v = step->grid().v;
   for (std::size_t n = 0; n < p.size(); ++n) p[n] = step->grid().p[n].template head<padded_size<D>>();
   step->constrain(v);

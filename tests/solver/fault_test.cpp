@@ -120,7 +120,7 @@ TEST(Fault, IsThatOfAllParticlesWhereTheyAreSorted) {
     auto& particles = scene.particles;
     const double dt = 1e-3;
     particles.F[3](0, 0) = 3;
-    for (const auto& [p, cells] : {std::pair{40U, 6.0}, {78U, 30.0}})
+    for (const auto& [p, cells] : {std::pair{40U, 14.0}, {78U, 30.0}})
       particles.m[p] = 1e-14, particles.v[p][0] = cells * scene.h / dt;
     EXPECT_EQ(fault_of(scene, dt), "a particle left the domain");
   }

@@ -29,6 +29,13 @@ TEST(Criterion, SaysWhatWasAskedAndEachNumberThatWasFound) {
   EXPECT_EQ(judge(criterion(Kind::shown, "", {}, {}), two_series()).measure, "shown");
 }
 
+TEST(Criterion, ANumberIsToldFromABoundThatItMisses) {
+  const auto part = judge(criterion(Kind::error, "bad", 0.00781249, {}), two_series());
+  EXPECT_THAT(part.evidence, HasSubstr("at cells = 16 = 0.0078125;")) << part.evidence;
+  const auto exact = judge(criterion(Kind::error, "bad", 1, 1), two_series());
+  EXPECT_THAT(exact.evidence, HasSubstr("(asked: 1)"));
+}
+
 TEST(Criterion, ALimitWhoseBracketReachesAcrossABoundIsInconclusive) {
   const auto verdict = [](double at_least, double stable, double unstable) {
     StudyResult result = two_series();

@@ -74,6 +74,18 @@ TEST(MistakeInAStudy, OfAnAxisOrASlopeIsNamed) {
   expect("series = [\"linear\", \"linear\"]", "series 'linear' twice in ");
 }
 
+TEST(MistakeInAStudy, OfAKeyWithoutMeaningForParticlesIsNamed) {
+  std::string study = cli::small_study;
+  study.replace(study.find("cfl = 0.3\n"), 0, "particle_errors = true\n");
+  study += "\n[[figure]]\nkind = \"particles\"\nname = \"p\"\ncaption = \"c\"\nxlabel = \"x\"\nylabel = \"y\"\n";
+  EXPECT_NO_THROW(parse_study(study, "good.toml"));
+  for (const std::string key : {"quantity", "xscale", "yscale"})
+    EXPECT_THAT(
+        complaint(
+            [&] { parse_study(study + key + (key == "quantity" ? " = \"linf\"\n" : " = \"log\"\n"), "bad.toml"); }),
+        AllOf(HasSubstr("'" + key + "' in bad.toml:"), HasSubstr("no meaning in a figure of kind 'particles'")));
+}
+
 TEST(MistakeInAStudy, OfReplicatesIsNamed) {
   expect_refused(
       {{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a limit or a sweep of another"},
