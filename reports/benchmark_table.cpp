@@ -44,12 +44,15 @@ std::string ratio(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.2f}", value);
 }
 
-/// A difference of numbers with no more digits than their ranges, which add, bear.
-std::string to_range(double value, double range) {
+/// A difference of numbers and the sum of their ranges, both to the second digit of that sum: "1.2 ± 3.7".
+std::string with_range(double value, double range) {
   if (!(range > 0)) return three_digits(value);
-  const int place = static_cast<int>(std::floor(std::log10(range)));
+  const int place = static_cast<int>(std::floor(std::log10(range))) - 1;
   const double unit = std::pow(10, place);
-  return fmt::format("{:.{}f}", std::round(value / unit) * unit + 0.0, std::max(0, -place));
+  const auto text = [&](double number) {
+    return fmt::format("{:.{}f}", std::round(number / unit) * unit + 0.0, std::max(0, -place));
+  };
+  return text(value) + " ± " + text(range);
 }
 
 double machine(const Benchmark& benchmark, const std::string& name, const std::string& counter) {
@@ -73,8 +76,8 @@ Table::Group& group_titled(Table& table, const std::string& title) {
 Table case_table(const Benchmark& benchmark) {
   Table table{
       "Cost of a step on one core in the studies' cases, each over its whole end time with its body force: ns per "
-      "particle and step, beside the static block of the same basis; what the method cannot do without, against what "
-      "the machine can",
+      "particle and step, beside the static block of the same basis; the least multiply-adds and bytes of a step, and "
+      "what shares of the machine's peak and bandwidth they are",
       {"case", "basis", "particles", "steps", "ns", "range %", "of the block's", "least multiply-adds", "% of peak",
        "least bytes", "% of bandwidth"},
       {}};
@@ -132,9 +135,9 @@ Table skip_table(const Benchmark& benchmark) {
               const double of_with = paid.range(per_step), of_without = skipped.range(per_step);
               const double saved = 1e9 * (with - without), range = 1e9 * (with * of_with + without * of_without);
               const double share = 100 * without / with;
-              group_titled(table, "").rows.push_back({paid.label, nanoseconds(with), percent(of_with),
-                                                      nanoseconds(without), percent(of_without), to_range(saved, range),
-                                                      to_range(100 - share, share * (of_with + of_without))});
+              group_titled(table, "").rows.push_back(
+                  {paid.label, nanoseconds(with), percent(of_with), nanoseconds(without), percent(of_without),
+                   with_range(saved, range), with_range(100 - share, share * (of_with + of_without))});
             });
   return table;
 }

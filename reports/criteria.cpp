@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reports/criterion_bar.hpp"
+#include "reports/mutation_claim.hpp"
 #include "reports/text.hpp"
 #include "studies/claims/found_text.hpp"
 
@@ -170,17 +171,32 @@ std::string deciding_text(const claims::Claim& claim) {
 
 namespace {
 
+/// How many criteria were asked, or had their bounds set, when their numbers were known: their statements say so.
+std::string late_text(const claims::Claim& claim) {
+  const auto is_judged = [](const auto& line) { return line.part.verdict != PartVerdict::shown; };
+  const auto is_late = [&](const auto& line) {
+    return is_judged(line) && line.part.statement.ends_with(" after a run)");
+  };
+  const auto judged = std::ranges::count_if(claim.parts, is_judged), late = std::ranges::count_if(claim.parts, is_late);
+  if (late == 0) return "";
+  return late < judged ? fmt::format("; {} of them set after a run", late)
+                       : fmt::format(", {}set after a run", judged > 1 ? "all " : "");
+}
+
 std::string criteria_text(const claims::Claim& claim) {
-  if (claim.parts.empty()) return "not judged yet";
+  if (claim.parts.empty())
+    return claim.id == mutants_claim ? "not judged yet for this version of the program" : "not judged yet";
   const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
   if (judged == 0) return "shown in figures";
   const std::size_t holding = count(claim, PartVerdict::holds), undecided = count(claim, PartVerdict::inconclusive);
+  const std::string late = late_text(claim);
   if (judged == 1)
-    return holding == 1     ? "its criterion holds"
-           : undecided == 1 ? "its criterion is inconclusive"
-                            : "its criterion does not hold";
+    return (holding == 1     ? "its criterion holds"
+            : undecided == 1 ? "its criterion is inconclusive"
+                             : "its criterion does not hold") +
+           late;
   const std::string rest = undecided > 0 ? fmt::format(", {} inconclusive", undecided) : "";
-  return fmt::format("{} of {} criteria hold{}", holding, judged, rest);
+  return fmt::format("{} of {} criteria hold{}{}", holding, judged, rest, late);
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ class ErrorChart {
  private:
   bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
 
-  /// A value as the axis will have it.
-  std::string on_axis(double value) const { return brief(factor_ * value); }
+  /// A value as the axis will have it: a factor of 100 makes per cent.
+  std::string on_axis(double value) const { return brief(factor_ * value) + (factor_ == 100 ? " %" : ""); }
 
   /// Whether a fit says more than that its points lie on a line, as any two do; of a window of two levels, two are all.
   bool is_shown(const Series& s, const ObservedOrder& o) const {

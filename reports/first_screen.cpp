@@ -75,8 +75,8 @@ Tile claims_tile(const ReportInput& input) {
   std::ranges::partition_copy(claims, std::back_inserter(own), std::back_inserter(of_papers), is_own);
   if (!own.empty() && !of_papers.empty()) {
     tile.number = confirmed_text(of_papers);
-    tile.detail = fmt::format("of the papers are confirmed, {} of our own; all together: {}", confirmed_text(own),
-                              claim_counts(claims));
+    tile.detail = fmt::format("claims of the papers are confirmed, {} of our own; all together: {}",
+                              confirmed_text(own), claim_counts(claims));
   }
   if (!input.earlier) return tile;
   std::vector<std::string> changes;

@@ -53,14 +53,17 @@ data claim_entry(const claims::Claim& claim) {
                  {"count", count_text(claim)}});
 }
 
+bool has_failing(const claims::Claim& claim) {
+  const auto verdict = [](const claims::JudgedPart& line) { return line.part.verdict; };
+  return std::ranges::find(claim.parts, records::PartVerdict::fails, verdict) != claim.parts.end();
+}
+
 /// Claims that are refuted or open, and those that hold in part; the latter are folded, as they are many.
 data unsettled_claims(const std::vector<claims::Claim>& claims) {
   data lists{data::type::list};
-  const auto add = [&](const char* heading, bool is_open, std::initializer_list<claims::Claim::Verdict> verdicts) {
+  const auto add = [&](const char* heading, bool is_open, const auto& belongs) {
     std::vector<claims::Claim> own;
-    for (const claims::Claim::Verdict verdict : verdicts)
-      std::ranges::copy_if(claims, std::back_inserter(own),
-                           [&](const claims::Claim& c) { return c.verdict == verdict; });
+    std::ranges::copy_if(claims, std::back_inserter(own), belongs);
     if (!own.empty())
       lists << object({{"heading", heading},
                        {"number", fmt::format("{}", own.size())},
@@ -68,8 +71,12 @@ data unsettled_claims(const std::vector<claims::Claim>& claims) {
                        {"claims", list_of(own, claim_entry)}});
   };
   using enum claims::Claim::Verdict;
-  add("Claims refuted or open", true, {refuted, open});
-  add("Claims that hold in part", false, {partly});
+  add("Claims refuted", true, [](const claims::Claim& c) { return c.verdict == refuted; });
+  add("Claims open", true, [](const claims::Claim& c) { return c.verdict == open; });
+  add("Claims that hold in part, the rest fails", false,
+      [](const claims::Claim& c) { return c.verdict == partly && has_failing(c); });
+  add("Claims that hold in part, the rest is undecided", false,
+      [](const claims::Claim& c) { return c.verdict == partly && !has_failing(c); });
   return lists;
 }
 

@@ -16,9 +16,10 @@ Table score_table(const MutationResults& mutation) {
   const PlantedScore& planted = mutation.planted;
   const RandomScore& random = mutation.random;
   const int tried = planted.should_show - planted.untried;
-  Table table{"Score: how many mistakes each part of the gate catches",
+  Table table{"Score: how many mistakes the unit tests and each gate catch",
               {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them"},
-              {}};
+              {},
+              "Mistakes in reports/ and studies/codes/ change no golden: the unit tests alone can see them."};
   if (random.tried > 0) table.columns.emplace_back("explained");
   if (planted.should_show + planted.equivalent + random.tried == 0) return table;
   Table::Group group;

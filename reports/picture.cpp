@@ -18,6 +18,10 @@ std::string axis_words(const Axis& axis) {
   return axis.label.empty() ? "rows" : axis.label + (axis.log ? " (logarithmic)" : "");
 }
 
+bool is_outline(const std::vector<Dot>& dots) {
+  return dots.size() > 2 && dots.front().x == dots.back().x && dots.front().value == dots.back().value;
+}
+
 /// "bspline2, 4 PPC   2.01 ± 0.03: from 0.0067 at 8 to 0.00015 at 512, unstable at 1 point"
 std::string curve_words(const Curve& curve) {
   std::vector<Dot> dots;
@@ -25,7 +29,12 @@ std::string curve_words(const Curve& curve) {
                        [](const Dot& d) { return d.mark == Mark::inside || d.mark == Mark::outside; });
   const auto unstable = std::ranges::count(curve.dots, Mark::unstable, &Dot::mark);
   std::string text = curve.key.empty() ? curve.name : curve.key;
-  if (!dots.empty())
+  if (is_outline(dots)) {
+    const auto [left, right] = std::ranges::minmax(dots, {}, &Dot::x);
+    const auto [low, high] = std::ranges::minmax(dots, {}, &Dot::value);
+    text += fmt::format(": an outline from {} to {}, and from {} to {} upwards", brief(left.x), brief(right.x),
+                        brief(low.value), brief(high.value));
+  } else if (!dots.empty())
     text += fmt::format(": from {} at {} to {} at {}", brief(dots.front().value), brief(dots.front().x),
                         brief(dots.back().value), brief(dots.back().x));
   if (unstable > 0) text += fmt::format(", unstable at {} of {} points", unstable, curve.dots.size());
@@ -84,7 +93,9 @@ std::string svg_of(const Chart& chart, const std::filesystem::path& folder) {
 }  // namespace
 
 std::string description_of(const Chart& chart) {
-  std::string text = fmt::format("{} against {}.", axis_words(chart.y), axis_words(chart.x));
+  std::string text =
+      fmt::format("{} against {}.", chart.y.names ? "Stable and unstable runs of each series" : axis_words(chart.y),
+                  axis_words(chart.x));
   if (chart.of_particles) {
     text = "Particles, to scale:";
     for (const auto& curve : chart.curves)

@@ -142,7 +142,7 @@ TEST(StabilityMap, HasEveryProbeAndEveryLimit) {
 
 TEST(StabilityMap, IsDescribedRowByRow) {
   const std::string text = description_of(charts_of(synthetic::limits()).at(0));
-  EXPECT_THAT(text, testing::StartsWith("rows against CFL number"));
+  EXPECT_THAT(text, testing::StartsWith("Stable and unstable runs of each series against CFL number"));
   EXPECT_THAT(text, HasSubstr(" l = 1h/8, 4 PPC: limit 0.760, stable at 10 of 19 values."));
   EXPECT_THAT(text, HasSubstr(" l = 3h/8, 4 PPC: limit 0.876 to 0.884, not monotone, stable at 12 of 19 values."));
   EXPECT_THAT(text, testing::EndsWith(" l = 8h/8, 4 PPC: limit not found, stable at 15 of 19 values."));

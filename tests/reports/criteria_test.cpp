@@ -121,6 +121,22 @@ TEST(CountText, SaysHowManyStudiesWereNotRun) {
   EXPECT_EQ(count_text(claim), "its criterion holds; 2 of its 3 studies were not run");
 }
 
+/// A criterion that was asked when its number was known is weaker evidence.
+TEST(CountText, SaysHowManyCriteriaCameAfterARun) {
+  claims::Claim claim;
+  const auto add = [&claim](const std::string& statement, PartVerdict verdict) {
+    claim.parts.push_back({"small", asked(1, std::nullopt)});
+    claim.parts.back().part.statement = statement, claim.parts.back().part.verdict = verdict;
+  };
+  add("it falls (bounds set after a run)", PartVerdict::holds);
+  EXPECT_EQ(count_text(claim), "its criterion holds, set after a run");
+  add("it rises (asked after a run)", PartVerdict::fails);
+  EXPECT_EQ(count_text(claim), "1 of 2 criteria hold, all set after a run");
+  add("it stays", PartVerdict::holds);
+  add("it is drawn", PartVerdict::shown);
+  EXPECT_EQ(count_text(claim), "2 of 3 criteria hold; 2 of them set after a run");
+}
+
 TEST(DecidingText, NamesWhatAValueIsOf) {
   ClaimPart part = asked(-0.05, 0.05);
   part.statement = "the plateau of the second is within 5 %", part.measure = "value";

@@ -41,7 +41,7 @@ TEST(OriginalLook, NotesHaveTheUnitOfTheAxis) {
   study.series[0].points[1].y["energy_loss"] = -0.08171;
   study.figures[0].y_max = 0.01;
   EXPECT_EQ(charts_of(study).at(0).omissions.back(),
-            "Without a point: uGIMP at 8 (-8.171); uGIMP at 4 (2.5 is off the axes).");
+            "Without a point: uGIMP at 8 (-8.171 %); uGIMP at 4 (2.5 % is off the axes).");
   study.figures[0].name = "mine";
   EXPECT_THAT(charts_of(study).at(0).omissions.back(), testing::HasSubstr("uGIMP at 8 (-0.08171)"));
 }
@@ -79,6 +79,10 @@ TEST(OriginalLook, DomainsAreToScale) {
   EXPECT_TRUE(chart.to_scale);
   EXPECT_DOUBLE_EQ(chart.height, 650 * 6.0 / 12 + 80);
   EXPECT_THAT(description_of(chart), testing::HasSubstr("domain: from")) << "curves, not particles";
+  Chart closed = chart;
+  const auto corner = [](double x, double y) { return Dot{.x = x, .value = y, .drawn = y, .mark = Mark::inside}; };
+  closed.curves[0].dots = {corner(4, 1), corner(7, 1), corner(7, 3), corner(4, 3), corner(4, 1)};
+  EXPECT_THAT(description_of(closed), testing::HasSubstr("domain: an outline from 4 to 7, and from 1 to 3 upwards"));
   study.figures[0].log_x = true;
   EXPECT_FALSE(charts_of(study).at(0).to_scale) << "a logarithm has no scale";
 }

@@ -66,15 +66,15 @@ ExpectedTable what_is_skipped() {
                  {"paid, range %", percent(10.0 / 21)},
                  {"skipped", "11.0"},
                  {"skipped, range %", percent(6.0 / 11)},
-                 {"saved", "10"},  // the ranges are 10 and 6 ns, of 21 and 11
-                 {"saved %", "50"}});
+                 {"saved", "10 ± 16"},  // the ranges are 10 and 6 ns, of 21 and 11
+                 {"saved %", "48 ± 54"}});
   table.add("", {{"what is skipped", "label of skip/store/paid"},
                  {"paid", "9.67"},
                  {"paid, range %", percent(0.3 / 9.67)},
                  {"skipped", "0.0357"},
                  {"skipped, range %", percent(0.001 / 0.0357)},
-                 {"saved", "9.6"},
-                 {"saved %", "99.63"}});
+                 {"saved", "9.63 ± 0.30"},
+                 {"saved %", "99.631 ± 0.022"}});
   return table;
 }
 

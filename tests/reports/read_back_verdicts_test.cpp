@@ -178,6 +178,19 @@ TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {
   EXPECT_THAT(said_of(inconclusive), testing::HasSubstr("X-one · its criterion is inconclusive"));
 }
 
+TEST(ReadBackPage, ClaimsOfWhichAPartFailsStandApartFromThoseThatAreUndecided) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::partly, "", {}, {}}};
+  input.claims[0].parts = {{"elsewhere", part(holds, 1, 2, {{"first", 1.5}})},
+                           {"elsewhere", part(fails, 1, 2, {{"second", 2.5}})}};
+  input.claims.push_back(input.claims[0]);
+  input.claims[1].parts[1].part.verdict = inconclusive;
+  const std::string page = WrittenReport(input).page("index.html");
+  EXPECT_THAT(page, testing::HasSubstr("<summary>Claims that hold in part, the rest fails: 1</summary>"));
+  EXPECT_THAT(page, testing::HasSubstr("<summary>Claims that hold in part, the rest is undecided: 1</summary>"));
+}
+
 TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());

@@ -45,10 +45,11 @@ TEST(Report, PlantedMistakesHaveAPageOfTheirOwn) {
   EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("a &lt;sign&gt;"));
   EXPECT_THAT(page_of(in, folder), HasSubstr("<a href=\"mutants.html\">"));
   EXPECT_TRUE(fs::exists(folder / "out/tables/program/mutants.tex"));
-  EXPECT_THAT(page_of(in, folder, "mutants.html"), Not(HasSubstr("were tried with another build")));
+  EXPECT_THAT(page_of(in, folder, "mutants.html"), Not(HasSubstr("were tried with another version")));
   in.mutation->digest = "other";
   in.mutation->commit = "c0ffee0123456789-dirty";
-  EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("with another build, of version c0ffee012345-dirty."));
+  EXPECT_THAT(page_of(in, folder, "mutants.html"),
+              HasSubstr("another version of the program than this report’s: c0ffee012345-dirty."));
 }
 
 TEST(Report, ASummaryOfPlantedMistakesSaysWhereTheyStand) {
@@ -125,9 +126,10 @@ TEST(Report, CountsClaimsOfPapersAndOurOwnApart) {
   claims::Claim own = in.claims[0];
   own.id = "X-order", own.source = "mpmvv";
   in.claims.push_back(own);
-  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("<strong>1 of 2</strong>"),
-                                         HasSubstr("of the papers are confirmed, 1 of 1 of our own; all together: "
-                                                   "2 confirmed, 1 open</span>")));
+  EXPECT_THAT(page_of(in, folder),
+              AllOf(HasSubstr("<strong>1 of 2</strong>"),
+                    HasSubstr("claims of the papers are confirmed, 1 of 1 of our own; all together: "
+                              "2 confirmed, 1 open</span>")));
 }
 
 TEST(Report, SaysWhichGoldensHaveAnotherVerdict) {
