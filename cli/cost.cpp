@@ -43,24 +43,35 @@ struct CostedCase {
 std::string default_cases() {
   const std::filesystem::path here = "studies/cost.txt";
   std::error_code unknown;
-  return std::filesystem::exists(here, unknown) ? here : shipped("studies") / "cost.txt";
+  if (std::filesystem::exists(here, unknown)) return here;
+  const std::filesystem::path of_program = shipped("studies");
+  if (of_program.empty())
+    throw support::UsageError("no studies/cost.txt here, and this program finds none of its own (--cases FILE)");
+  return of_program / "cost.txt";
 }
 
-std::vector<std::string> read_cases(const std::string& file) {
+/// The options of a run, and where they stand.
+struct ListedCase {
+  std::string options, where;
+};
+
+std::vector<ListedCase> read_cases(const std::string& file) {
   std::istringstream in(support::require_file(file, "a file with the options of a run on each line"));
-  std::vector<std::string> cases;
+  std::vector<ListedCase> cases;
+  int number = 0;
   for (std::string line; std::getline(in, line);) {
+    ++number;
     line.erase(std::min(line.find_first_of("#\r"), line.size()));
-    if (line.find_first_not_of(" \t") != std::string::npos) cases.push_back(line);
+    if (line.find_first_not_of(" \t") != std::string::npos) cases.push_back({line, fmt::format("{}:{}", file, number)});
   }
   if (cases.empty())
     throw support::UsageError(fmt::format("{} names no case (the options of a run on each line)", file));
   return cases;
 }
 
-/// A program, and the options that it runs with.
+/// A program, the options that it runs with, and where they stand.
 struct TimedRun {
-  std::string program, options;
+  std::string program, options, where;
 };
 
 /// Each run times its steps three times.
@@ -96,7 +107,7 @@ std::string end_text(const support::ProcessEnd& end) {
   const auto status = record.find("status"), reason = record.find("reason");
   if (!record.is_object() || status == record.end() || reason == record.end() || !status->is_string() ||
       !reason->is_string())
-    return end.output.substr(0, 300);
+    return end.output.substr(0, end.output.find('\n')).substr(0, 300);
   return fmt::format("{} ({})", status->get<std::string>(), reason->get<std::string>());
 }
 
@@ -114,16 +125,16 @@ double required_cost(const TimedRun& run) {
   const support::ProcessEnd end = end_of(run);
   if (const auto cost = cost_of(end)) return *cost;
   throw support::UsageError(
-      fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}",
-                  run.program, run.options, end_text(end)));
+      fmt::format("{} does not carry out the case in {}, '{}' (a program like this one, and a run that ends ok): {}",
+                  run.program, run.where, run.options, end_text(end)));
 }
 
 /// The baseline's run of the case, of the whole body as here. A version that does not know --whole always runs whole
 /// bodies. None where that version refuses the case's options.
-std::optional<TimedRun> baseline_run(const std::string& program, const std::string& options) {
+std::optional<TimedRun> baseline_run(const std::string& program, const ListedCase& listed) {
   constexpr int usage_error = 2;
-  for (const TimedRun& run : {TimedRun{program, options + " --whole"}, TimedRun{program, options}})
-    if (end_of(run).exit_code != usage_error) return run;
+  for (const char* whole : {" --whole", ""})
+    if (TimedRun run{program, listed.options + whole, listed.where}; end_of(run).exit_code != usage_error) return run;
   return {};
 }
 
@@ -212,13 +223,14 @@ int cost(const CostOptions& options) {
   std::vector<CostedCase> costed;
   std::vector<std::string> left_out;
   const auto cases = read_cases(options.cases.empty() ? default_cases() : options.cases);
-  for (const std::string& name : cases) {
+  for (const ListedCase& listed : cases) {
+    const std::string& name = listed.options;
     if (columns)
       note_text("\r\033[K" +
                 cut(fmt::format("[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name), *columns - 1));
-    const TimedRun own_run{own, name + " --whole"};
+    const TimedRun own_run{own, name + " --whole", listed.where};
     required_cost(own_run);
-    const auto other_run = baseline_run(baseline, name);
+    const auto other_run = baseline_run(baseline, listed);
     if (other_run)
       costed.push_back({name, beside(own_run, *other_run)});
     else

@@ -14,7 +14,7 @@ void add_manual(CLI::App& app, int&) {
   man->callback([&app] { print_text(man_page(command_text(app))); });
   auto shell = std::make_shared<std::string>();
   CLI::App* completion = app.add_subcommand("completion", "Print the completion script of a shell")->group("");
-  completion->add_option("shell", *shell, "which")->required()->check(one_of({"bash", "zsh", "fish"}));
+  completion->add_option("shell", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
   completion->callback([&app, shell] {
     const CommandText program = command_text(app);
     print_text(*shell == "bash"  ? bash_completion(program)

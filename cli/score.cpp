@@ -134,6 +134,7 @@ int score(const ScoreOptions& options) {
   if (!options.db.empty() && !is_failed) keep(record, options.db);
   if (options.json) {
     nlohmann::json json = record_json(record);
+    if (c.scheme.code.empty()) json["scheme"] = nullptr;  // that of the case is our solver's, which has not run
     if (!caution.empty()) json["caution"] = caution;
     print_json(json);
   } else {

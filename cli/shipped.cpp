@@ -30,6 +30,7 @@ bool may_be_read(const fs::path& file) {
 
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
   const std::string file = name + ".toml";
+  if (!study_names(name).empty()) throw UsageError(fmt::format("'{0}' is a folder (its studies: --studies {0})", name));
   const auto meant = may_be_read(file) ? file : support::nearest_word(name, known);
   throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
                                meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
@@ -95,6 +96,9 @@ std::vector<std::string> study_names(const fs::path& folder) {
 }
 
 void refuse_without_study(const std::string& folder) {
+  if (folder.empty())
+    throw UsageError(
+        "this program finds no studies of its own (PREFIX/share/mpmvv/studies beside PREFIX/bin; --studies FOLDER)");
   std::error_code failed;
   fs::directory_iterator(folder, failed);
   throw UsageError(failed ? fmt::format("cannot read --studies {}: {} (a folder with *.toml)", folder, failed.message())
@@ -111,7 +115,8 @@ std::vector<std::string> named_study_files(const std::vector<std::string>& names
   for (const std::string& name : names.empty() ? known : names) {
     const bool is_there = !names.empty() && may_be_read(name);
     const bool by_name = !is_there && std::ranges::binary_search(known, name);
-    if (!is_there && !by_name && support::is_file_stem(name) && !name.ends_with(".toml")) refuse_name(name, known);
+    const bool may_be_name = support::is_file_stem(name) || name.ends_with('/');
+    if (!is_there && !by_name && may_be_name && !name.ends_with(".toml")) refuse_name(name, known);
     files.push_back(by_name ? (place / (name + ".toml")).string() : name);
   }
   return files;

@@ -54,6 +54,8 @@ const Found& deciding_number(const ClaimPart& part) {
 /// What might decide, where the interval of a number reaches across a bound.
 std::string remedy(const ClaimPart& part, const Found& found) {
   const bool is_open = found.lower < found.upper && (found.lower == found.value || found.upper == found.value);
+  if (part.is_limit() && found.remark.find(" steps at ") != std::string::npos)
+    return "Longer runs (end_time) might decide: so few steps do not count.";
   if (part.is_limit())
     return is_open ? "A search beyond the values tried might decide." : "A finer search might decide.";
   if (is_of_times(part)) return "More rounds in one session might decide.";

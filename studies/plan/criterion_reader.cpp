@@ -122,9 +122,9 @@ Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan)
   if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
   std::vector<std::string> compared = c.series;
   if (is_ratio(c.kind)) {
-    c.over = table.text("over");
-    if (plan.check.empty() && !plan.has_series(c.over))
-      throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
+    c.over = series_name(table, "over", plan);
+    if (std::ranges::find(c.series, c.over) != c.series.end())
+      throw UsageError(fmt::format("series '{}' over itself in {} (another series)", c.over, table.where("over")));
     compared.push_back(c.over);
   }
   if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "studies/claims/samples.hpp"
 #include "studies/records/record.hpp"
@@ -15,6 +16,18 @@ using settings::Setting;
 using support::UsageError;
 
 namespace {
+
+/// A check makes its series when it runs.
+void require_series(const std::vector<std::string>& names, const StudyPlan& plan, const std::string& where) {
+  if (!plan.check.empty()) return;
+  std::vector<std::string> known;
+  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
+  for (const std::string& name : names) require_word("series", name, known, where);
+}
+
+double nearest(const std::vector<double>& values, double to) {
+  return *std::ranges::min_element(values, {}, [to](double value) { return std::abs(value - to); });
+}
 
 bool every_series_has(const StudyPlan& plan, const std::string& key) {
   return std::ranges::all_of(plan.series, [&](const SeriesPlan& series) { return series.setting(key) != nullptr; });
@@ -86,12 +99,15 @@ std::string norm_of(const support::TomlTable& table, const char* key) {
   return norm;
 }
 
+std::string series_name(const support::TomlTable& table, const char* key, const StudyPlan& plan) {
+  std::string name = table.text(key);
+  require_series({name}, plan, table.where(key));
+  return name;
+}
+
 std::vector<std::string> series_names(const support::TomlTable& table, const char* key, const StudyPlan& plan) {
   std::vector<std::string> names = table.texts(key);
-  std::vector<std::string> known;
-  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
-  if (plan.check.empty())
-    for (const std::string& name : names) require_word("series", name, known, table.where(key));
+  require_series(names, plan, table.where(key));
   for (auto name = names.begin(); name != names.end(); ++name)
     if (std::find(names.begin(), name, *name) != name)
       throw UsageError(fmt::format("series '{}' twice in {} (once)", *name, table.where(key)));
@@ -107,6 +123,10 @@ fits::Window read_window(const support::TomlTable& table, const char* key) {
 
 void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where) {
   if (!plan.check.empty()) return;
+  for (const double end : {window.from, window.to})
+    if (std::ranges::none_of(plan.values, [&](double x) { return fits::Window{end, end}.holds(x); }))
+      throw UsageError(fmt::format("window [{}, {}] in {} ends at {}, which is no swept value ({} is the nearest)",
+                                   window.from, window.to, where, end, nearest(plan.values, end)));
   const auto count = std::ranges::count_if(plan.values, [&](double x) { return window.holds(x); });
   if (count < least)
     throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,

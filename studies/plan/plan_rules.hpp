@@ -15,12 +15,15 @@ void require_word(const std::string& what, const std::string& word, const std::v
 /// The norm that a table names under `key`.
 std::string norm_of(const support::TomlTable& table, const char* key);
 
-/// Names of series that a table lists under `key`; each must exist (checks make theirs when they run).
+/// Names of series that a table lists under `key`, or the one there; each must exist (checks make theirs when they
+/// run).
 std::vector<std::string> series_names(const support::TomlTable& table, const char* key, const StudyPlan& plan);
+std::string series_name(const support::TomlTable& table, const char* key, const StudyPlan& plan);
 
 fits::Window read_window(const support::TomlTable& table, const char* key);
 
-/// A window must hold enough swept values; the curves of a check are known only when it has run.
+/// A window must hold enough swept values, and its ends must be such; the curves of a check are known only when it has
+/// run.
 void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where);
 
 /// Throws for a sweep whose values say nothing of a step size: the terms of an expansion, the seed of a shuffle. A

@@ -69,9 +69,10 @@ void read_sweep(const TomlTable& root, StudyPlan& plan) {
   if (plan.values.empty())
     throw UsageError(fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, plan.sweep_where));
   auto sorted = plan.values;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, plan.sweep_where));
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+    throw UsageError(fmt::format("{} twice in the sweep over '{}' in {} (once)", *twice, plan.sweep, plan.sweep_where));
+  if (!std::ranges::is_sorted(plan.values, std::ranges::greater())) plan.values = std::move(sorted);
 }
 
 /// The code that settings choose; empty: our own solver.

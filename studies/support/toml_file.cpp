@@ -21,6 +21,13 @@ constexpr const char* a_number = "a finite number";
 constexpr const char* a_text = "a text in quotes";
 constexpr const char* a_list_of_tables = "an array of tables";
 
+/// What the two commonest slips of the pen are, of which the parser says only where it stopped.
+std::string_view hint_for(std::string_view description) {
+  if (description.find("could not determine value type") != std::string_view::npos) return "; a text stands in quotes";
+  if (description.find("control character") != std::string_view::npos) return "; is a closing quote missing?";
+  return "";
+}
+
 std::string type_name(const toml::node& node) {
   std::ostringstream name;
   name << node.type();
@@ -80,7 +87,8 @@ TomlTable TomlTable::parse(const std::string& text, const std::string& name) {
     auto document = std::make_shared<const toml::table>(toml::parse(std::string_view(text), std::string_view(name)));
     return TomlTable(std::make_shared<const Node>(Node{document, document.get(), name}));
   } catch (const toml::parse_error& error) {
-    throw UsageError(fmt::format("invalid TOML in {}:{} ({})", name, error.source().begin.line, error.description()));
+    throw UsageError(fmt::format("invalid TOML in {}:{} ({}{})", name, error.source().begin.line, error.description(),
+                                 hint_for(error.description())));
   }
 }
 

@@ -99,11 +99,15 @@ TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
 
 TEST_F(CostCommand, RefusesWhatIsNoCase) {
   const std::string program = cli::program();
-  for (const auto& [text, said] : {std::pair{"# none\n", "names no case"}, {"--problem bar\n", "does not carry out"}}) {
+  for (const auto& [text, said] :
+       {std::pair{"# none\n", "names no case"}, {"\n--problem bar\n", "does not carry out the case in "}}) {
     const Answer answer = call(folder_, "cost " + program + " --cases " + folder_.write("cases.txt", text));
     EXPECT_EQ(answer.code, 2);
     EXPECT_THAT(answer.err, HasSubstr(said));
   }
+  const Answer barr = call(folder_, "cost " + program + " --cases " + folder_.write("cases.txt", "\n--problem barr\n"));
+  EXPECT_THAT(barr.err, testing::AllOf(HasSubstr("cases.txt:2"), HasSubstr("unknown problem 'barr'"),
+                                       testing::Not(HasSubstr("\\n"))));
   EXPECT_EQ(call(folder_, "cost " + program + " --cases nowhere.txt").code, 2);
   EXPECT_EQ(call(folder_, "cost nowhere").code, 2);
 }

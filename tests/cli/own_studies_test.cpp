@@ -136,6 +136,10 @@ TEST_F(OwnStudies, AreNoFoldersOfTheirNames) {
   const Answer study = in_folder("mpmvv study s-jump --db results.db");
   EXPECT_EQ(study.code, 0) << study.err;
   EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err, HasSubstr("(did you mean 's-jump'? "));
+  folder_.write("s-jumpe/one.toml", "");
+  for (const char* name : {"s-jumpe", "s-jumpe/"})
+    EXPECT_THAT(in_folder(std::string("mpmvv study --db results.db ") + name).err,
+                HasSubstr(std::string("'") + name + "' is a folder (its studies: --studies " + name + ")"));
 }
 
 TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
@@ -145,10 +149,11 @@ TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
   std::filesystem::permissions(folder_.write("other", "#!/bin/sh\n[ $1 = --version ] && echo mpmvv c0ffee\n"),
                                std::filesystem::perms::owner_all);
   EXPECT_THAT(in_folder("mpmvv cost other").err,
-              HasSubstr("does not carry out the case '" + theirs.substr(first, theirs.find('\n', first) - first)));
+              HasSubstr(", '" + theirs.substr(first, theirs.find('\n', first) - first)));
   std::filesystem::create_directories(folder_ / "studies");
   folder_.write("studies/cost.txt", mine);
-  EXPECT_THAT(in_folder("mpmvv cost other").err, HasSubstr("does not carry out the case '" + mine));
+  EXPECT_THAT(in_folder("mpmvv cost other").err,
+              HasSubstr("does not carry out the case in studies/cost.txt:1, '" + mine));
 }
 
 TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {

@@ -64,6 +64,9 @@ TEST(UndecidedText, NamesTheNumberWhoseIntervalReachesAcross) {
   EXPECT_THAT(undecided_text(part), HasSubstr("= 0.5 (0.3 to 0.7). Other replicates might lie"));
   part.measure = "order", part.found = {{"order of 'a'", 0.5, 0.3, 0.7, "finest segment 1.41"}};
   EXPECT_THAT(undecided_text(part), HasSubstr("order of 'a' = 0.5 ± 0.2 (finest segment 1.41). Other points"));
+  part.measure = "limit",
+  part.found = {{"limit of 'a'", 0.5, 0.3, HUGE_VAL, "only 25 steps at 0.5, where growth shows"}};
+  EXPECT_THAT(undecided_text(part), HasSubstr("Longer runs (end_time) might decide: so few steps do not count."));
 }
 
 fits::StabilityLimit limit(double stable, double unstable) {

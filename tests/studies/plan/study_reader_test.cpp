@@ -34,6 +34,12 @@ TEST(StudyReader, SweepsOverAValueOfTheProblemHoweverItIsWritten) {
   EXPECT_THAT(complaint([] { swept("param.volume = [0.01, 0.02]"); }), HasSubstr("unknown parameter 'volume'"));
 }
 
+TEST(StudyReader, AFigureJoinsPointsByTheirValues) {
+  EXPECT_THAT(swept("end_time = [0.02, 0.01, 0.04]").values, ElementsAre(0.01, 0.02, 0.04));
+  EXPECT_THAT(swept("end_time = [0.04, 0.02, 0.01]").values, ElementsAre(0.04, 0.02, 0.01))
+      << "falls, as it is written";
+}
+
 TEST(StudyReader, ReplicatesDifferInWhatShouldNotMatterAlone) {
   for (const char* line : {"grid_offset = [0, 0.5]", "shuffle = [1, 2]"})
     EXPECT_TRUE(swept("end_time = [0.01, 0.02]\n[replicates]\n", line).replicates) << line;

@@ -44,7 +44,7 @@ TEST(MistakeInAStudy, OfASweepOrALimitIsNamed) {
        {"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
        {"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
        {"name = \"bspline2\"", "name = \" \"", "'name' is blank in "},
-       {"cells = [8, 16, 32, 64]", "steps = [4, 8, 16, 8.0]", "a value twice"},
+       {"cells = [8, 16, 32, 64]", "steps = [4, 8, 16, 8.0]", "8 twice in the sweep over 'steps'"},
        {"basis = \"linear\"", "basis = \"linear\"\ncells = 8", "beside the sweep over it in "},
        {"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n", "scan_ratio"},
        {"[sweep]\ncells = [8, 16, 32, 64]", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1",
@@ -101,23 +101,28 @@ TEST(MistakeInAStudy, OfAFitIsNamed) {
   expect_refused(
       {{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure", "unknown norm 'l3'"},
        {"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
-       {"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
+       {"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure",
+        "ends at 100, which is no swept value (64 is the nearest)"},
+       {"window = [8, 64]\n[[figure", "window = [8, 64.5]\n[[figure", "ends at 64.5, which is no swept value (64 is"},
        {"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure",
         "without every_step"},
-       {"window = [8, 64]\n[[figure", "window = [8, 64]\nfloor_window = [128, 512]\n[[figure", "holds 0 swept values"},
+       {"window = [8, 64]\n[[figure", "window = [8, 64]\nfloor_window = [8, 64]\n[[figure", "holds 4 swept values"},
        {"[[fit]]", "[[extrapolate]]\nnorm = \"l2\"\nwindow = [8, 32]\n[[fit]]", "holds 3 swept values"}});
 }
 
 TEST(MistakeInAStudy, OfACriterionOrAClaimIsNamed) {
-  expect_refused({{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
-                  {"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
-                  {"at_least = 1.5", "", "asks nothing"},
-                  {"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
-                  {"[fixed]", "[[claim]]\nid = \"M 1\"\nstatement = \"s\"\n[fixed]", "id 'M 1' of a claim"},
-                  {"measure = \"order\"\nseries = [\"bspline2\"]\nnorm = \"l2\"\nwindow = [8, 64]",
-                   "measure = \"limit\"\nseries = [\"bspline2\"]", "which the study does not search"},
-                  {"measure = \"order\"", "measure = \"shown\"", "'series' in "},
-                  {"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"}});
+  expect_refused(
+      {{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
+       {"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
+       {"at_least = 1.5", "", "asks nothing"},
+       {"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
+       {"[fixed]", "[[claim]]\nid = \"M 1\"\nstatement = \"s\"\n[fixed]", "id 'M 1' of a claim"},
+       {"measure = \"order\"\nseries = [\"bspline2\"]\nnorm = \"l2\"\nwindow = [8, 64]",
+        "measure = \"limit\"\nseries = [\"bspline2\"]", "which the study does not search"},
+       {"measure = \"order\"", "measure = \"shown\"", "'series' in "},
+       {"measure = \"order\"", "measure = \"error-ratio\"\nover = \"bspline2\"", "series 'bspline2' over itself"},
+       {"measure = \"order\"", "measure = \"error-ratio\"\nover = \"lineer\"", "unknown series 'lineer'"},
+       {"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"}});
 }
 
 /// As numbers without an interval times would hold in one session and fail in the next.

@@ -125,6 +125,8 @@ TEST(TomlFile, SyntaxErrorsAreOneLineWithFileAndLine) {
     EXPECT_THAT(wrong, HasSubstr("invalid TOML in bar.toml:2 (")) << text;
     EXPECT_THAT(wrong, Not(HasSubstr("\n")));
   }
+  EXPECT_THAT(message([] { parse("problem = bar\n"); }), HasSubstr("; a text stands in quotes)"));
+  EXPECT_THAT(message([] { parse("title = \"abc\nb = 1\n"); }), HasSubstr("; is a closing quote missing?)"));
 }
 
 std::string repeated(const std::string& text, int times) {
