@@ -156,11 +156,12 @@ TEST_F(Claims, SayWhyTheyAreInconclusive) {
 }
 
 TEST_F(Claims, ANumberThatIsFoundEverywhereStandsOnce) {
-  const std::string text = stated_study() +
-                           "[[criterion]]\nclaim = \"linear\"\nstatement = \"as itself\"\nmeasure = \"error-ratio\"\n"
-                           "series = [\"linear\"]\nover = \"linear\"\nnorm = \"l2\"\nwindow = [8, 64]\nat_most = 2\n";
-  const Answer study = call(folder_, "study " + folder_.write("itself.toml", text) + " --db " + folder_ / "i.db");
-  EXPECT_THAT(study.out, ContainsRegex("holds +at most 2 +1 +as itself\n")) << study.err;
+  std::string text = stated_study() +
+                     "[[criterion]]\nclaim = \"linear\"\nstatement = \"as its twin\"\nmeasure = \"error-ratio\"\n"
+                     "series = [\"linear\"]\nover = \"twin\"\nnorm = \"l2\"\nwindow = [8, 64]\nat_most = 2\n";
+  text.insert(text.find("[sweep]"), "[[series]]\nname = \"twin\"\nbasis = \"linear\"\n");
+  const Answer study = call(folder_, "study " + folder_.write("twins.toml", text) + " --db " + folder_ / "i.db");
+  EXPECT_THAT(study.out, ContainsRegex("holds +at most 2 +1 +as its twin\n")) << study.err;
 }
 
 TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {
@@ -210,12 +211,14 @@ TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
   text.replace(text.find("cfl = 0.3\n"), 10, "");
   for (const char* basis : {"basis = \"linear\"\n", "basis = \"bspline2\"\n"})
     text.insert(text.find(basis), "cfl = 0.3\n");
-  text.insert(text.find("[sweep]"), "[[series]]\nname = \"wild\"\nbasis = \"linear\"\ncfl = 5\n");
+  for (const char* name : {"wild", "twin"})
+    text.insert(text.find("[sweep]"),
+                std::string("[[series]]\nname = \"") + name + "\"\nbasis = \"linear\"\ncfl = 5\n");
   text +=
       "[[criterion]]\nclaim = \"linear\"\nstatement = \"none is wild\"\nmeasure = \"error\"\nseries = [\"wild\"]\n"
       "norm = \"l2\"\nwindow = [64, 64]\nat_most = 1\n"
-      "[[criterion]]\nclaim = \"linear\"\nstatement = \"as itself\"\nmeasure = \"error-ratio\"\n"
-      "series = [\"wild\"]\nover = \"wild\"\nnorm = \"l2\"\nwindow = [64, 64]\nat_most = 2\n";
+      "[[criterion]]\nclaim = \"linear\"\nstatement = \"as its twin\"\nmeasure = \"error-ratio\"\n"
+      "series = [\"wild\"]\nover = \"twin\"\nnorm = \"l2\"\nwindow = [64, 64]\nat_most = 2\n";
   const std::string db = folder_ / "json.db";
   const Answer study = call(folder_, "study " + folder_.write("json.toml", text) + " --db " + db);
   ASSERT_EQ(study.code, 0) << study.err;

@@ -39,8 +39,8 @@ std::map<std::string, Lines> every_key() {
         {"stable", "\"below\""},
         {"series", names}}},
       {"replicates", {{"shuffle", "[1, 2]"}}},
-      {"fit", {{"norm", "\"l2\""}, {"window", "[0, 1]"}, {"floor_window", "[0, 1]"}, {"series", names}}},
-      {"extrapolate", {{"norm", "\"energy_loss\""}, {"window", "[0, 1]"}, {"series", names}}},
+      {"fit", {{"norm", "\"l2\""}, {"window", "[0.05, 0.35]"}, {"floor_window", "[0.05, 0.35]"}, {"series", names}}},
+      {"extrapolate", {{"norm", "\"energy_loss\""}, {"window", "[0.05, 0.35]"}, {"series", names}}},
       {"figure",
        {{"caption", "\"C\""},
         {"xlabel", "\"x\""},
@@ -50,8 +50,8 @@ std::map<std::string, Lines> every_key() {
         {"quantity", "\"l2\""},
         {"xscale", "\"log\""},
         {"yscale", "\"log\""},
-        {"x_range", "[0.01, 1]"},
-        {"y_range", "[0.01, 1]"},
+        {"x_range", "[0.05, 0.35]"},
+        {"y_range", "[0.05, 0.35]"},
         {"series", names},
         {"marks", names},
         {"slopes", "[2]"}}},
@@ -62,7 +62,7 @@ std::map<std::string, Lines> every_key() {
         {"series", names},
         {"norm", "\"l2\""},
         {"over_norm", "\"linf\""},
-        {"window", "[0.01, 1]"},
+        {"window", "[0.05, 0.35]"},
         {"at_least", "1"},
         {"at_most", "2"},
         {"reason", "\"R\""}}}};
@@ -142,8 +142,8 @@ TEST(StudyFileReference, WrapsItsProse) {
 TEST_F(FileTables, SayWhatEveryMeasureNeedsAndItTakesNoOtherKey) {
   ASSERT_EQ(needs_by_measure().size(), words_of(claims::Criterion::Kind{}).size());
   for (const auto& [measure, needs] : needs_by_measure()) {
-    const std::string window = measure == "cost-ratio" ? "[1e-6, 1e-3]" : "[0.01, 1]";
-    const Lines keys{{"series", "[\"one\"]"}, {"over", "\"one\""},       {"name", "\"value\""},
+    const std::string window = measure == "cost-ratio" ? "[1e-6, 1e-3]" : "[0.05, 0.35]";
+    const Lines keys{{"series", "[\"one\"]"}, {"over", "\"two\""},       {"name", "\"value\""},
                      {"norm", "\"l2\""},      {"over_norm", "\"linf\""}, {"window", window}};
     Lines given{{"claim", "\"C\""}, {"statement", "\"S\""}, {"measure", '"' + measure + '"'}, {"reason", "\"R\""}};
     if (!needs.empty()) given["at_least"] = "1";
@@ -152,7 +152,8 @@ TEST_F(FileTables, SayWhatEveryMeasureNeedsAndItTakesNoOtherKey) {
     const auto complaint_with = [&](const Lines& criterion) {
       auto study = every_key();
       study["criterion"] = criterion;
-      return complaint_of(text_of(study));
+      study["limit"]["series"] = "[\"one\", \"two\"]";
+      return complaint_of(text_of(study) + "\n[[series]]\nname = \"two\"\ncells = 8\n");
     };
     ASSERT_EQ(complaint_with(given), "") << measure;
     for (const auto& [key, value] : keys) {
