@@ -46,11 +46,20 @@ std::string text_of(const std::string& quantity, double v) {
   return is_count(quantity) && !std::isnan(v) ? fmt::format("{:.0f}", v) : aligned(v);
 }
 
+/// "y: CFL limit": what a check's curves show, where all its figures say the same; else "y".
+std::string head_of_curves(const StudyResult& study) {
+  std::set<std::string> labels;
+  for (const records::Figure& figure : study.figures)
+    if (figure.quantity == "y") labels.insert(figure.ylabel);
+  return labels.size() == 1 && !labels.begin()->empty() ? "y: " + *labels.begin() : "y";
+}
+
 /// The head of a column: the quantity with its unit, or what it is a share of; told from that of the swept values.
-std::string head_of(const std::string& quantity, const std::string& sweep, int dimension) {
+std::string head_of(const std::string& quantity, const StudyResult& study, int dimension) {
   if (quantity == "energy_loss") return "energy_loss (of the initial energy)";
+  if (quantity == "y") return head_of_curves(study);
   const std::string head = records::with_unit(quantity, dimension);
-  return head == sweep ? head + " of the run" : head;
+  return head == study.sweep ? head + " of the run" : head;
 }
 
 /// A quantity in all rows of the table: the numbers that were measured.
@@ -118,7 +127,7 @@ class PointsTable {
     Table table{points_caption, {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
-      table.columns.push_back(head_of(column.quantity, study_.sweep, dimension_));
+      table.columns.push_back(head_of(column.quantity, study_, dimension_));
       if (fitted_.contains(column.quantity)) table.columns.push_back("order of " + column.quantity);
     }
     if (has_reasons_) table.columns.emplace_back("reason");

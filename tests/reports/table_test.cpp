@@ -63,6 +63,18 @@ TEST(Table, SegmentOrdersStandBesideTheirErrors) {
   EXPECT_EQ(table.groups[3].rows[0][7], "det F <= 0 in step 12");
 }
 
+TEST(Table, TheColumnOfACheckSaysWhatItsCurvesShow) {
+  records::StudyResult check = synthetic::convergence();
+  for (auto& series : check.series)
+    for (auto& point : series.points) point.y = {{"y", point.x}};
+  check.figures.resize(1);
+  check.figures[0].quantity = "y", check.figures[0].ylabel = "spectral radius";
+  EXPECT_THAT(points_table(check).columns, testing::Contains("y: spectral radius"));
+  check.figures.push_back(check.figures[0]);
+  check.figures[1].ylabel = "gain";
+  EXPECT_THAT(points_table(check).columns, testing::Contains("y"));
+}
+
 TEST(Table, NoTwoColumnsHaveOneHead) {
   records::StudyResult swept;
   swept.sweep = "cfl";
