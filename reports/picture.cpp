@@ -34,9 +34,10 @@ std::string curve_words(const Curve& curve) {
     const auto [low, high] = std::ranges::minmax(dots, {}, &Dot::value);
     text += fmt::format(": an outline from {} to {}, and from {} to {} upwards", brief(left.x), brief(right.x),
                         brief(low.value), brief(high.value));
-  } else if (!dots.empty())
+  } else if (!dots.empty()) {
     text += fmt::format(": from {} at {} to {} at {}", brief(dots.front().value), brief(dots.front().x),
                         brief(dots.back().value), brief(dots.back().x));
+  }
   if (unstable > 0) text += fmt::format(", unstable at {} of {} points", unstable, curve.dots.size());
   return text;
 }

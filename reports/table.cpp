@@ -144,10 +144,8 @@ Table limits_table(const StudyResult& study) {
        "Steps: of the run at the stable end. An instability has to grow from round-off in them. Growth "
        "seen: the least per step that does, 10^(12/steps) - 1. Where runs are longer, slower growth shows, "
        "and the limit lies nearer to the stable end of the search. A stable run of fewer than 40 steps, in which "
-       "growth "
-       "that doubles on each step does not show, does not count for a criterion: the limit may then lie anywhere "
-       "beyond "
-       "the last stable run of 40 steps."},
+       "growth that doubles on each step does not show, does not count for a criterion: the limit may then lie "
+       "anywhere beyond the last stable run of 40 steps."},
       rows);
 }
 

@@ -123,6 +123,7 @@ fits::Window read_window(const support::TomlTable& table, const char* key) {
 
 void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where) {
   if (!plan.check.empty()) return;
+  if (plan.values.empty()) throw UsageError(fmt::format("window in {} of a study without a [sweep] (one)", where));
   for (const double end : {window.from, window.to})
     if (std::ranges::none_of(plan.values, [&](double x) { return fits::Window{end, end}.holds(x); }))
       throw UsageError(fmt::format("window [{}, {}] in {} ends at {}, which is no swept value ({} is the nearest)",

@@ -34,6 +34,16 @@ TEST(StudyReader, SweepsOverAValueOfTheProblemHoweverItIsWritten) {
   EXPECT_THAT(complaint([] { swept("param.volume = [0.01, 0.02]"); }), HasSubstr("unknown parameter 'volume'"));
 }
 
+TEST(StudyReader, AWindowNeedsASweep) {
+  const std::string searched = "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\n",
+                    norm = "norm = \"l2\"\nwindow = [8, 64]\n";
+  std::string text = bars;
+  text.erase(text.find("cfl = 0.2\n"), 10);
+  for (const char* table : {"[[fit]]\n", "[[extrapolate]]\n"})
+    EXPECT_THAT(complaint([&] { parse_study(text + searched + table + norm, "bar.toml"); }),
+                HasSubstr("window in bar.toml:16 of a study without a [sweep]"));
+}
+
 TEST(StudyReader, AFigureJoinsPointsByTheirValues) {
   EXPECT_THAT(swept("end_time = [0.02, 0.01, 0.04]").values, ElementsAre(0.01, 0.02, 0.04));
   EXPECT_THAT(swept("end_time = [0.04, 0.02, 0.01]").values, ElementsAre(0.04, 0.02, 0.01))
